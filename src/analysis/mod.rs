@@ -1,0 +1,1 @@
+//! Curves, errors and cost.

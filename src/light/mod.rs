@@ -1,0 +1,156 @@
+//! What a light is: its shape, its place, its photometric quantity and its colour.
+//!
+//! A [`Light`] is what a scene file says. Placing it gives an [`Emitter`]: the same light in world space at unit
+//! strength, which is what `shading` works on. One file a shape.
+
+mod color;
+mod directional;
+mod line;
+mod point;
+mod polygon;
+mod quantity;
+mod sphere;
+
+pub use color::{Tint, luminance_of, temperature_color};
+pub use directional::{Directional, DirectionalEmitter};
+pub use line::{Line, LineEmission, LineEmitter};
+pub use point::{Point, PointEmitter};
+pub use polygon::{Polygon, PolygonEmitter, PolygonError};
+pub use quantity::{Quantity, QuantityKind};
+pub use sphere::{Sphere, SphereEmitter};
+
+use glam::{DAffine3, DVec3};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::math::frame;
+
+/// A light as a scene file states it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Light {
+    /// Unique among the lights of a scene.
+    pub name: String,
+    /// Origin of the light's own frame, metres.
+    pub position: DVec3,
+    /// Rotation of the light's own frame, R = Rz·Ry·Rx, degrees.
+    pub rotation_deg: DVec3,
+    /// Colour only; its luminance does not matter.
+    pub tint: Tint,
+    /// The stated photometric quantity; the others follow from it and the shape.
+    pub quantity: Quantity,
+    /// A muted light contributes nothing.
+    pub muted: bool,
+    /// Shape, in the light's own frame.
+    pub shape: Shape,
+}
+
+/// The shape of a light in its own frame, where it emits along −Z.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Shape {
+    /// A planar polygon in the XY plane.
+    Polygon(Polygon),
+    /// A straight line along X, centred.
+    Line(Line),
+    /// A sphere about the origin.
+    Sphere(Sphere),
+    /// All of the light at the origin.
+    Point(Point),
+    /// Parallel light travelling along −Z.
+    Directional(Directional),
+}
+
+/// A light placed in the world, at unit strength: luminance 1, or intensity per metre 1, or intensity 1, or
+/// illuminance 1, by shape (see [`Shape::strength_kind`]).
+#[derive(Clone, Debug, PartialEq)]
+pub enum Emitter {
+    /// See [`PolygonEmitter`].
+    Polygon(PolygonEmitter),
+    /// See [`LineEmitter`].
+    Line(LineEmitter),
+    /// See [`SphereEmitter`].
+    Sphere(SphereEmitter),
+    /// See [`PointEmitter`].
+    Point(PointEmitter),
+    /// See [`DirectionalEmitter`].
+    Directional(DirectionalEmitter),
+}
+
+impl Light {
+    /// The transform from the light's own frame to the world.
+    pub fn world_from_light(&self) -> DAffine3 {
+        frame::world_from_local(self.position, self.rotation_deg)
+    }
+
+    /// The light placed in the world at unit strength.
+    pub fn emitter(&self) -> Emitter {
+        let world_from_light = self.world_from_light();
+        match &self.shape {
+            Shape::Polygon(polygon) => Emitter::Polygon(polygon.place(&world_from_light)),
+            Shape::Line(line) => Emitter::Line(line.place(&world_from_light)),
+            Shape::Sphere(sphere) => Emitter::Sphere(sphere.place(&world_from_light)),
+            Shape::Point(_) => Emitter::Point(PointEmitter { position: self.position }),
+            Shape::Directional(_) => {
+                Emitter::Directional(DirectionalEmitter { to_light: world_from_light.matrix3.z_axis })
+            }
+        }
+    }
+
+    /// What the emitter's unit-strength response is multiplied by, in the unit of [`Shape::strength_kind`].
+    pub fn strength(&self) -> f64 {
+        self.quantity.value() * self.shape.strength_per(self.quantity.kind())
+    }
+
+    /// Strength times tint, 0 when muted: the weight of the light's layer.
+    pub fn weight(&self) -> DVec3 {
+        if self.muted { DVec3::ZERO } else { self.strength() * self.tint.rgb() }
+    }
+}
+
+impl Shape {
+    /// The name of the shape in files and on screen.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Polygon(_) => "polygon",
+            Self::Line(_) => "line",
+            Self::Sphere(_) => "sphere",
+            Self::Point(_) => "point",
+            Self::Directional(_) => "directional",
+        }
+    }
+
+    /// The quantity that scales the emitter's unit response.
+    pub fn strength_kind(&self) -> QuantityKind {
+        match self {
+            Self::Polygon(_) | Self::Sphere(_) => QuantityKind::Luminance,
+            Self::Line(_) => QuantityKind::IntensityPerMetre,
+            Self::Point(_) => QuantityKind::Intensity,
+            Self::Directional(_) => QuantityKind::Illuminance,
+        }
+    }
+
+    /// The quantities in which this shape's emission may be stated.
+    pub fn quantity_kinds(&self) -> &'static [QuantityKind] {
+        match self {
+            Self::Polygon(_) | Self::Sphere(_) => &[QuantityKind::Luminance, QuantityKind::Flux],
+            Self::Line(_) => &[QuantityKind::IntensityPerMetre, QuantityKind::Flux],
+            Self::Point(_) => &[QuantityKind::Intensity, QuantityKind::Flux],
+            Self::Directional(_) => &[QuantityKind::Illuminance],
+        }
+    }
+
+    /// Strength per unit of `kind`; 0 where the shape cannot be stated so.
+    pub fn strength_per(&self, kind: QuantityKind) -> f64 {
+        if kind == self.strength_kind() {
+            return 1.0;
+        }
+        let flux_per_strength = match self {
+            Self::Polygon(polygon) => polygon.flux_per_luminance(),
+            Self::Line(line) => line.flux_per_intensity_per_metre(),
+            Self::Sphere(sphere) => sphere.flux_per_luminance(),
+            Self::Point(_) => Point::FLUX_PER_INTENSITY,
+            Self::Directional(_) => 0.0,
+        };
+        if kind == QuantityKind::Flux && flux_per_strength > 0.0 { flux_per_strength.recip() } else { 0.0 }
+    }
+}

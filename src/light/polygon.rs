@@ -1,0 +1,106 @@
+//! A planar polygonal light.
+
+use std::f64::consts::PI;
+
+use glam::{DAffine3, DVec2, DVec3};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// A simple planar polygon in the light's XY plane, convex or not, Lambertian with constant luminance.
+///
+/// Vertices may run either way round; the lit side is −Z, and +Z too when two-sided.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Polygon {
+    /// Corners in order, metres.
+    #[schemars(with = "Vec<[f64; 2]>")]
+    pub vertices: Vec<DVec2>,
+    /// Emits to both sides.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub two_sided: bool,
+}
+
+/// A [`Polygon`] in the world, luminance 1.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PolygonEmitter {
+    /// Corners in order: counter-clockwise for an eye on the lit side looking at it.
+    pub vertices: Vec<DVec3>,
+    /// Unit normal of the lit side.
+    pub normal: DVec3,
+    /// Emits to both sides.
+    pub two_sided: bool,
+}
+
+/// Why a list of vertices is no polygon.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum PolygonError {
+    /// Fewer than three vertices.
+    #[error("a polygon needs at least 3 vertices, this one has {0}")]
+    TooFewVertices(usize),
+    /// Two edges cross or touch; the indices are those of the edges' first vertices.
+    #[error("edges {0} and {1} cross")]
+    Crossing(usize, usize),
+    /// Two consecutive vertices coincide.
+    #[error("vertices {0} and {1} coincide")]
+    RepeatedVertex(usize, usize),
+    /// All vertices lie on a line.
+    #[error("all vertices lie on one line")]
+    Flat,
+}
+
+impl Polygon {
+    /// Twice-signed half the cross sum: positive when the vertices run counter-clockwise seen from +Z.
+    pub fn signed_area(&self) -> f64 {
+        let Some(&origin) = self.vertices.first() else { return 0.0 };
+        let twice: f64 = self.vertices.windows(2).map(|edge| (edge[0] - origin).perp_dot(edge[1] - origin)).sum();
+        0.5 * twice
+    }
+
+    /// Area in m².
+    pub fn area(&self) -> f64 {
+        self.signed_area().abs()
+    }
+
+    /// Φ/L = πA a side.
+    pub fn flux_per_luminance(&self) -> f64 {
+        PI * self.area() * if self.two_sided { 2.0 } else { 1.0 }
+    }
+
+    /// The polygon in the world.
+    pub fn place(&self, world_from_light: &DAffine3) -> PolygonEmitter {
+        let place = |v: &DVec2| world_from_light.transform_point3(v.extend(0.0));
+        // The lit side is −Z, so counter-clockwise for its viewer is clockwise seen from +Z.
+        let vertices = if self.signed_area() > 0.0 {
+            self.vertices.iter().rev().map(place).collect()
+        } else {
+            self.vertices.iter().map(place).collect()
+        };
+        PolygonEmitter { vertices, normal: -world_from_light.matrix3.z_axis, two_sided: self.two_sided }
+    }
+}
+
+impl PolygonEmitter {
+    /// Vector area: its length is the area, its direction the lit side's normal.
+    pub fn vector_area(&self) -> DVec3 {
+        let Some(&origin) = self.vertices.first() else { return DVec3::ZERO };
+        0.5 * self.vertices.windows(2).map(|edge| (edge[0] - origin).cross(edge[1] - origin)).sum::<DVec3>()
+    }
+
+    /// Centre of area; the mean of the vertices when the area is zero.
+    pub fn centroid(&self) -> DVec3 {
+        let Some(&origin) = self.vertices.first() else { return DVec3::ZERO };
+        let mut weighted = DVec3::ZERO;
+        let mut area = 0.0;
+        for edge in self.vertices.windows(2) {
+            let (u, v) = (edge[0] - origin, edge[1] - origin);
+            let twice = u.cross(v).dot(self.normal);
+            weighted += twice * (u + v) / 3.0;
+            area += twice;
+        }
+        if area.abs() > 0.0 {
+            origin + weighted / area
+        } else {
+            self.vertices.iter().sum::<DVec3>() / self.vertices.len() as f64
+        }
+    }
+}

@@ -1,0 +1,4 @@
+//! Mathematics that knows nothing of lights: angles, frames, spherical clipping, quadrature, special functions.
+
+pub mod angle;
+pub mod frame;

@@ -1,0 +1,20 @@
+//! Bibliography: one documented constant a paper, for doc comments to link to.
+
+/// K. P. Picott, *Extensions of the Linear and Area Lighting Models*, IEEE Computer Graphics and Applications 12(2), 1992.
+pub const PICOTT_1992: &str = "Picott 1992";
+
+/// P. Poulin and J. Amanatides, *Shading and Shadowing with Linear Light Sources*, Eurographics 1990.
+pub const POULIN_AMANATIDES_1990: &str = "Poulin & Amanatides 1990";
+
+/// J. M. Snyder, *Area Light Sources for Real-Time Graphics*, Microsoft Research MSR-TR-96-11, 1996.
+pub const SNYDER_1996: &str = "Snyder 1996";
+
+/// *One-Shot Approximate Local Shading*: a textured area light as one point light a shading component.
+pub const ONE_SHOT: &str = "One-Shot Approximate Local Shading";
+
+/// J. Arvo, *Applications of Irradiance Tensors to the Simulation of Non-Lambertian Phenomena*, SIGGRAPH 1995.
+pub const ARVO_1995: &str = "Arvo 1995";
+
+/// T. Nishita and E. Nakamae, *Continuous Tone Representation of Three-Dimensional Objects Taking Account of Shadows
+/// and Interreflection*, SIGGRAPH 1985.
+pub const NISHITA_NAKAMAE_1985: &str = "Nishita & Nakamae 1985";

@@ -1,0 +1,41 @@
+//! The document: what a scene file holds, how it is loaded, checked, saved and edited.
+
+mod camera;
+mod history;
+mod plot;
+
+pub use camera::{Camera, Display};
+pub use history::History;
+pub use plot::{Plot, PlotKind, PlotQuantity};
+
+use crate::light::Light;
+use crate::surface::{Material, Surface};
+
+/// The number of the scene format that this program reads and writes.
+pub const FORMAT: u32 = 1;
+
+/// A scene, or a light preset: a scene with lights and nothing else.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Scene {
+    /// What people call it.
+    pub name: String,
+    /// From where it is seen.
+    pub camera: Camera,
+    /// How its radiance becomes a picture.
+    pub display: Display,
+    /// Materials, in file order.
+    pub materials: Vec<Material>,
+    /// Surfaces, in file order.
+    pub surfaces: Vec<Surface>,
+    /// Lights, in file order.
+    pub lights: Vec<Light>,
+    /// Plots, in file order.
+    pub plots: Vec<Plot>,
+}
+
+impl Scene {
+    /// The material of that name.
+    pub fn material(&self, name: &str) -> Option<&Material> {
+        self.materials.iter().find(|material| material.name == name)
+    }
+}

