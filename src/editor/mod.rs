@@ -1,1 +1,5 @@
 //! The window.
+
+pub mod session;
+
+pub use session::{Item, Session, Tool};

@@ -1,0 +1,393 @@
+//! The open document and what the editor knows about it: selection, tool, view, plots shown, and messages.
+//!
+//! The document itself changes only through [`Session::edit`] and the gesture calls, so that every change is an undo
+//! step. Everything else here is the editor's own and is not saved with the scene.
+
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use crate::scene::{Camera, History, Scene};
+use crate::shading::Method;
+
+/// One thing in the document, by its place in the scene's lists.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Item {
+    /// A light.
+    Light(usize),
+    /// A surface.
+    Surface(usize),
+    /// A material.
+    Material(usize),
+    /// A plot, and its probe.
+    Plot(usize),
+}
+
+/// What is selected, in the order of selection.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Selection {
+    items: Vec<Item>,
+}
+
+/// What the mouse does in the viewport.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Tool {
+    /// Select, move and reshape.
+    #[default]
+    Move,
+    /// Select and rotate.
+    Rotate,
+    /// Select and scale.
+    Scale,
+    /// Draw a polygonal light.
+    Polygon,
+    /// Draw a linear light.
+    Line,
+    /// Draw a spherical light.
+    Sphere,
+}
+
+/// How the viewport looks at the scene.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ViewState {
+    /// Starts as the scene's camera and is written back only by [`Session::save_view`].
+    pub camera: Camera,
+    /// By which method lights are shaded.
+    pub method: Method,
+    /// Whether lights are seen themselves.
+    pub show_emitters: bool,
+    /// Whether the ground grid is drawn.
+    pub show_grid: bool,
+}
+
+/// The horizontal plane on which lights are drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WorkPlane {
+    /// Height above the ground, metres.
+    pub height: f64,
+    /// Whether what is drawn or dragged sticks to the grid.
+    pub snap: bool,
+    /// Grid spacing, metres.
+    pub grid: f64,
+}
+
+/// Which plot is shown, and which of its curves are not.
+#[derive(Clone, Debug, Default)]
+pub struct PlotState {
+    /// Index of the plot in front.
+    pub active: usize,
+    /// Methods switched off in the legend.
+    pub hidden: BTreeSet<String>,
+    /// Draw ordinates on a logarithmic axis.
+    pub logarithmic: bool,
+}
+
+/// Something to tell the user once.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Notice {
+    /// It worked.
+    Done(String),
+    /// It did not, and why.
+    Failed(String),
+}
+
+/// See the [module](self).
+#[derive(Debug)]
+pub struct Session {
+    /// The document and its past.
+    pub history: History,
+    /// The file it was loaded from or saved to.
+    pub path: Option<PathBuf>,
+    /// What is selected.
+    pub selection: Selection,
+    /// What the mouse does in the viewport.
+    pub tool: Tool,
+    /// How the viewport looks at the scene.
+    pub view: ViewState,
+    /// Where lights are drawn.
+    pub work_plane: WorkPlane,
+    /// What the plot pane shows.
+    pub plots: PlotState,
+    /// What the mouse would do now; set by whatever it is over, shown in the status bar.
+    pub hint: String,
+    /// Messages that have not been shown yet.
+    pub notices: Vec<Notice>,
+    solo: BTreeSet<String>,
+    shown: Option<Shown>,
+}
+
+/// The scene with solo applied, and what it was made from.
+#[derive(Debug)]
+struct Shown {
+    source: Arc<Scene>,
+    solo: BTreeSet<String>,
+    scene: Arc<Scene>,
+}
+
+impl Selection {
+    /// The thing selected last, which the inspector and the handles show.
+    pub fn primary(&self) -> Option<Item> {
+        self.items.last().copied()
+    }
+
+    /// All selected things, in the order of selection.
+    pub fn items(&self) -> &[Item] {
+        &self.items
+    }
+
+    /// Whether `item` is selected.
+    pub fn contains(&self, item: Item) -> bool {
+        self.items.contains(&item)
+    }
+
+    /// Select `items` and nothing else.
+    pub fn set(&mut self, items: impl IntoIterator<Item = Item>) {
+        self.items = items.into_iter().collect();
+    }
+
+    /// Add `item`, or take it away where it was selected.
+    pub fn toggle(&mut self, item: Item) {
+        if self.contains(item) {
+            self.items.retain(|other| *other != item);
+        } else {
+            self.items.push(item);
+        }
+    }
+
+    /// Select nothing.
+    pub fn clear(&mut self) {
+        self.items.clear();
+    }
+
+    /// Follow the selected things, by name, from one state of the document to another.
+    ///
+    /// What kept its place but not its name, in a list as long as before, was renamed; anything else is forgotten.
+    fn follow(&mut self, from: &Scene, to: &Scene) {
+        let followed = self.items.iter().filter_map(|item| {
+            let by_name = item.name(from).and_then(|name| item.find(name, to));
+            by_name.or_else(|| (item.count(from) == item.count(to)).then_some(*item))
+        });
+        self.items = followed.collect();
+    }
+}
+
+impl Item {
+    /// Whether the scene has it.
+    pub fn exists(self, scene: &Scene) -> bool {
+        self.name(scene).is_some()
+    }
+
+    /// The thing of the same kind that has that name in `scene`.
+    fn find(self, name: &str, scene: &Scene) -> Option<Self> {
+        match self {
+            Self::Light(_) => scene.lights.iter().position(|light| light.name == name).map(Self::Light),
+            Self::Surface(_) => scene.surfaces.iter().position(|surface| surface.name == name).map(Self::Surface),
+            Self::Material(_) => scene.materials.iter().position(|material| material.name == name).map(Self::Material),
+            Self::Plot(_) => scene.plots.iter().position(|plot| plot.name == name).map(Self::Plot),
+        }
+    }
+
+    /// How many things of its kind the scene has.
+    fn count(self, scene: &Scene) -> usize {
+        match self {
+            Self::Light(_) => scene.lights.len(),
+            Self::Surface(_) => scene.surfaces.len(),
+            Self::Material(_) => scene.materials.len(),
+            Self::Plot(_) => scene.plots.len(),
+        }
+    }
+
+    /// Its name in the scene.
+    pub fn name(self, scene: &Scene) -> Option<&str> {
+        match self {
+            Self::Light(i) => scene.lights.get(i).map(|light| light.name.as_str()),
+            Self::Surface(i) => scene.surfaces.get(i).map(|surface| surface.name.as_str()),
+            Self::Material(i) => scene.materials.get(i).map(|material| material.name.as_str()),
+            Self::Plot(i) => scene.plots.get(i).map(|plot| plot.name.as_str()),
+        }
+    }
+}
+
+impl Tool {
+    /// All tools, in toolbar order.
+    pub const ALL: [Self; 6] = [Self::Move, Self::Rotate, Self::Scale, Self::Polygon, Self::Line, Self::Sphere];
+
+    /// Whether it draws a new light.
+    pub fn draws(self) -> bool {
+        matches!(self, Self::Polygon | Self::Line | Self::Sphere)
+    }
+}
+
+impl Default for WorkPlane {
+    fn default() -> Self {
+        Self { height: 2.0, snap: true, grid: 0.1 }
+    }
+}
+
+impl Session {
+    /// An unmodified document.
+    pub fn new(scene: Scene, path: Option<PathBuf>) -> Self {
+        let view = ViewState { camera: scene.camera, method: Method::Exact, show_emitters: true, show_grid: true };
+        Self {
+            history: History::new(scene),
+            path,
+            selection: Selection::default(),
+            tool: Tool::default(),
+            view,
+            work_plane: WorkPlane::default(),
+            plots: PlotState::default(),
+            hint: String::new(),
+            notices: Vec::new(),
+            solo: BTreeSet::new(),
+            shown: None,
+        }
+    }
+
+    /// The document as it is.
+    pub fn scene(&self) -> &Arc<Scene> {
+        self.history.scene()
+    }
+
+    /// The document as it is shown: where lights are soloed, all others are muted.
+    ///
+    /// The same `Arc` is returned until something changes.
+    pub fn shown(&mut self) -> Arc<Scene> {
+        let source = Arc::clone(self.history.scene());
+        self.solo.retain(|name| source.lights.iter().any(|light| light.name == *name));
+        if self.solo.is_empty() {
+            self.shown = None;
+            return source;
+        }
+        if let Some(shown) = &self.shown
+            && Arc::ptr_eq(&shown.source, &source)
+            && shown.solo == self.solo
+        {
+            return Arc::clone(&shown.scene);
+        }
+        let mut scene = Scene::clone(&source);
+        for light in &mut scene.lights {
+            light.muted |= !self.solo.contains(&light.name);
+        }
+        let scene = Arc::new(scene);
+        self.shown = Some(Shown { source, solo: self.solo.clone(), scene: Arc::clone(&scene) });
+        scene
+    }
+
+    /// Change the document: within the open gesture, or as one undo step called `label`.
+    pub fn edit(&mut self, label: &str, change: impl FnOnce(&mut Scene)) {
+        self.with_history(|history| history.edit(label, change));
+    }
+
+    /// Start a gesture: all edits until [`Self::commit`] are one undo step.
+    pub fn begin(&mut self, label: &str) {
+        self.history.begin(label);
+    }
+
+    /// End the gesture.
+    pub fn commit(&mut self) {
+        self.history.commit();
+    }
+
+    /// End the gesture and take back what it did.
+    pub fn abort(&mut self) {
+        self.with_history(History::abort);
+    }
+
+    /// Take back the last step.
+    pub fn undo(&mut self) {
+        self.with_history(|history| history.undo());
+    }
+
+    /// Do again what was taken back last.
+    pub fn redo(&mut self) {
+        self.with_history(|history| history.redo());
+    }
+
+    /// Change the history, and let the selection follow.
+    fn with_history<R>(&mut self, change: impl FnOnce(&mut History) -> R) {
+        let before = Arc::clone(self.history.scene());
+        change(&mut self.history);
+        self.selection.follow(&before, self.history.scene());
+    }
+
+    /// Whether the light of that name is soloed.
+    pub fn is_solo(&self, name: &str) -> bool {
+        self.solo.contains(name)
+    }
+
+    /// Solo the light of that name, or stop doing so.
+    pub fn toggle_solo(&mut self, name: &str) {
+        if !self.solo.remove(name) {
+            self.solo.insert(name.to_owned());
+        }
+    }
+
+    /// Look at the scene through its own camera.
+    pub fn reset_view(&mut self) {
+        self.view.camera = self.scene().camera;
+    }
+
+    /// Make the view the scene's camera.
+    pub fn save_view(&mut self) {
+        let camera = self.view.camera;
+        self.edit("Set camera", |scene| scene.camera = camera);
+    }
+
+    /// Tell the user that something worked.
+    pub fn done(&mut self, text: impl Into<String>) {
+        self.notices.push(Notice::Done(text.into()));
+    }
+
+    /// Tell the user that something did not work.
+    pub fn failed(&mut self, text: impl Into<String>) {
+        self.notices.push(Notice::Failed(text.into()));
+    }
+
+    /// The document's name for people: its file's, or its own, or "Untitled".
+    pub fn title(&self) -> String {
+        let file = self.path.as_deref().and_then(Path::file_name).map(|name| name.to_string_lossy().into_owned());
+        match file {
+            Some(name) => name,
+            None if self.scene().name.is_empty() => "Untitled".to_owned(),
+            None => self.scene().name.clone(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::surface::Material;
+    use glam::DVec3;
+
+    fn material(name: &str) -> Material {
+        Material { name: name.to_owned(), diffuse: DVec3::ONE, specular: DVec3::ZERO, exponent: 8.0 }
+    }
+
+    fn session() -> Session {
+        let scene = Scene { materials: vec![material("a"), material("b"), material("c")], ..Scene::default() };
+        Session::new(scene, None)
+    }
+
+    #[test]
+    fn the_selection_follows_its_thing_by_name_through_edits_and_undo() {
+        let mut session = session();
+        session.selection.set([Item::Material(2)]);
+        session.edit("Delete", |scene| {
+            scene.materials.remove(0);
+        });
+        assert_eq!(session.selection.items(), [Item::Material(1)], "after the list has shrunk");
+        session.undo();
+        assert_eq!(session.selection.items(), [Item::Material(2)], "after undo");
+    }
+
+    #[test]
+    fn the_selection_survives_a_rename_and_forgets_what_is_gone() {
+        let mut session = session();
+        session.selection.set([Item::Material(1)]);
+        session.edit("Rename", |scene| scene.materials[1].name = "d".to_owned());
+        assert_eq!(session.selection.primary(), Some(Item::Material(1)), "after a rename");
+        session.edit("Delete", |scene| scene.materials.retain(|m| m.name != "d"));
+        assert_eq!(session.selection.primary(), None, "after the thing is gone");
+    }
+}
