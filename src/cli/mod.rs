@@ -1,1 +1,88 @@
-//! The command line: one file a subcommand.
+//! The command line: one file a subcommand, each with its `Args` and a `run`.
+
+use std::io;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+/// How a command ended when nothing went wrong.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Outcome {
+    /// Done, or the answer is yes: exit status 0.
+    Done,
+    /// The answer is no: exit status 1.
+    No,
+    /// Stopped by Ctrl-C before anything was written: exit status 130.
+    Interrupted,
+}
+
+impl From<Outcome> for ExitCode {
+    fn from(outcome: Outcome) -> Self {
+        match outcome {
+            Outcome::Done => Self::SUCCESS,
+            Outcome::No => Self::from(1),
+            Outcome::Interrupted => Self::from(130),
+        }
+    }
+}
+
+/// Design area lights, and see how exact, approximate and point-light shading differ.
+///
+/// Without a command, opens the editor. Exit status: 0 done, 1 the answer is no, 2 bad use or bad input, 130 stopped
+/// by Ctrl-C.
+#[derive(Debug, Parser)]
+#[command(name = "softbox", version, args_conflicts_with_subcommands = true)]
+pub struct Arguments {
+    #[command(subcommand)]
+    command: Option<Command>,
+    /// Scene to open in the editor.
+    scene: Option<PathBuf>,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {}
+
+/// The arguments of this process, or, when there is nothing to run, how to end: after `--help` and `--version`, or
+/// with bad use as an error of one line.
+pub fn parse() -> Result<Arguments, anyhow::Result<Outcome>> {
+    Arguments::try_parse().map_err(|error| {
+        if error.use_stderr() {
+            Err(anyhow::Error::msg(one_line(&error)))
+        } else {
+            error.print().map(|()| Outcome::Done).map_err(Into::into)
+        }
+    })
+}
+
+/// Run what was asked for.
+pub fn run(arguments: &Arguments) -> anyhow::Result<Outcome> {
+    match &arguments.command {
+        Some(command) => match *command {},
+        None => open_editor(arguments.scene.as_deref()),
+    }
+}
+
+/// Whether an error only says that whoever read our output has stopped reading.
+pub fn is_broken_pipe(error: &anyhow::Error) -> bool {
+    error
+        .chain()
+        .filter_map(|cause| cause.downcast_ref::<io::Error>())
+        .any(|cause| cause.kind() == io::ErrorKind::BrokenPipe)
+}
+
+fn open_editor(_scene: Option<&Path>) -> anyhow::Result<Outcome> {
+    anyhow::bail!("this build has no editor; `softbox --help` lists what it can do")
+}
+
+/// A clap error as one line: its message and tips, without usage.
+fn one_line(error: &clap::Error) -> String {
+    let text = error.render().to_string();
+    text.split("\n\n")
+        .filter(|paragraph| !paragraph.starts_with("Usage:") && !paragraph.starts_with("For more information"))
+        .map(|paragraph| paragraph.split_whitespace().collect::<Vec<_>>().join(" "))
+        .collect::<Vec<_>>()
+        .join("; ")
+        .trim_start_matches("error: ")
+        .to_owned()
+}
