@@ -60,6 +60,15 @@ pub struct ViewState {
     pub show_grid: bool,
 }
 
+/// What the viewport is asked to bring into view; it knows how large it is, so it moves the camera.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Framing {
+    /// What is selected.
+    Selection,
+    /// Everything.
+    All,
+}
+
 /// The horizontal plane on which lights are drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WorkPlane {
@@ -104,6 +113,8 @@ pub struct Session {
     pub tool: Tool,
     /// How the viewport looks at the scene.
     pub view: ViewState,
+    /// What the viewport shall bring into view when it is shown next; it takes the request.
+    pub framing: Option<Framing>,
     /// Where lights are drawn.
     pub work_plane: WorkPlane,
     /// What the plot pane shows.
@@ -234,6 +245,7 @@ impl Session {
             selection: Selection::default(),
             tool: Tool::default(),
             view,
+            framing: None,
             work_plane: WorkPlane::default(),
             plots: PlotState::default(),
             hint: String::new(),

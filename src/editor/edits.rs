@@ -1,0 +1,356 @@
+//! Changes to the document that are more than a number: add, duplicate, delete, rename, insert.
+
+use std::collections::BTreeSet;
+
+use glam::{DVec2, DVec3};
+
+use super::session::{Item, Session};
+use crate::light::{Light, Polygon, Quantity, QuantityKind, Shape, Tint};
+use crate::scene::{Plot, PlotKind, PlotQuantity, Scene};
+use crate::surface::{self, Material, Surface};
+
+/// How far a copy is put from its original, metres.
+const COPY_OFFSET: DVec3 = DVec3::new(0.25, 0.25, 0.0);
+
+impl Session {
+    /// Add a light called after its shape, select it, and say so in the undo menu.
+    pub fn add_light(&mut self, mut light: Light) {
+        let label = format!("Add {}", light.shape.name());
+        light.name = unique_name(self.scene().lights.iter().map(|other| &other.name), &light.name);
+        let index = self.scene().lights.len();
+        self.edit(&label, |scene| scene.lights.push(light));
+        self.selection.set([Item::Light(index)]);
+    }
+
+    /// Add a surface, with a material where the scene has none, and select it.
+    pub fn add_surface(&mut self, shape: surface::Shape) {
+        let name = unique_name(self.scene().surfaces.iter().map(|other| &other.name), shape.name());
+        let position = resting_position(&shape);
+        let label = format!("Add {}", shape.name());
+        let index = self.scene().surfaces.len();
+        self.edit(&label, |scene| {
+            if scene.materials.is_empty() {
+                scene.materials.push(new_material("material".to_owned()));
+            }
+            let material = scene.materials[0].name.clone();
+            scene.surfaces.push(Surface {
+                name,
+                material,
+                position,
+                rotation_deg: DVec3::ZERO,
+                scale: DVec3::ONE,
+                shape,
+            });
+        });
+        self.selection.set([Item::Surface(index)]);
+    }
+
+    /// Add a material and select it.
+    pub fn add_material(&mut self) {
+        let name = unique_name(self.scene().materials.iter().map(|other| &other.name), "material");
+        let index = self.scene().materials.len();
+        self.edit("Add material", |scene| scene.materials.push(new_material(name)));
+        self.selection.set([Item::Material(index)]);
+    }
+
+    /// Add a plot, select it and bring it to the front.
+    pub fn add_plot(&mut self, kind: PlotKind) {
+        let name = unique_name(self.scene().plots.iter().map(|other| &other.name), kind_name(kind));
+        let index = self.scene().plots.len();
+        self.edit("Add plot", |scene| scene.plots.push(new_plot(name, kind)));
+        self.selection.set([Item::Plot(index)]);
+        self.plots.active = index;
+    }
+
+    /// Copy what is selected, next to itself, and select the copies.
+    pub fn duplicate_selection(&mut self) {
+        let items = self.selection.items().to_vec();
+        let mut copies = Vec::new();
+        self.edit("Duplicate", |scene| copies = items.iter().filter_map(|item| duplicate(scene, *item)).collect());
+        self.selection.set(copies);
+    }
+
+    /// Delete what is selected; a material that a surface or a plot uses stays, and the user is told.
+    pub fn delete_selection(&mut self) {
+        let mut items = self.selection.items().to_vec();
+        let used = |item: &Item| matches!(item, Item::Material(_)) && is_used(self.scene(), *item, &items);
+        let kept: Vec<Item> = items.iter().filter(|item| used(item)).copied().collect();
+        for item in &kept {
+            let name = item.name(self.scene()).unwrap_or_default().to_owned();
+            self.failed(format!("“{name}” is in use: give its surfaces and plots another material first"));
+        }
+        items.retain(|item| !kept.contains(item));
+        // From the end of each list, so that what is left keeps its place until it is its turn.
+        items.sort_unstable();
+        self.edit("Delete", |scene| {
+            for item in items.iter().rev() {
+                remove(scene, *item);
+            }
+        });
+        self.selection.clear();
+    }
+
+    /// Give `item` another name; one that is empty or taken is refused, and the user is told.
+    pub fn rename(&mut self, item: Item, name: &str) {
+        let name = name.trim();
+        let Some(old) = item.name(self.scene()).map(str::to_owned) else { return };
+        if name == old {
+            return;
+        }
+        if name.is_empty() {
+            self.failed("A name must not be empty");
+        } else if item.siblings(self.scene()).any(|other| other == name) {
+            self.failed(format!("“{name}” is taken: choose another name"));
+        } else {
+            let soloed = matches!(item, Item::Light(_)) && self.is_solo(&old);
+            self.edit("Rename", |scene| set_name(scene, item, &old, name));
+            if soloed {
+                self.toggle_solo(name);
+            }
+        }
+    }
+
+    /// Add the lights of a preset and select them.
+    pub fn insert_lights(&mut self, label: &str, preset: &Scene) {
+        let first = self.scene().lights.len();
+        self.edit(label, |scene| {
+            for light in &preset.lights {
+                let name = unique_name(scene.lights.iter().map(|other| &other.name), &light.name);
+                scene.lights.push(Light { name, ..light.clone() });
+            }
+        });
+        self.selection.set((first..self.scene().lights.len()).map(Item::Light));
+    }
+}
+
+impl Item {
+    /// The names in its list.
+    fn siblings(self, scene: &Scene) -> Box<dyn Iterator<Item = &str> + '_> {
+        match self {
+            Self::Light(_) => Box::new(scene.lights.iter().map(|light| light.name.as_str())),
+            Self::Surface(_) => Box::new(scene.surfaces.iter().map(|surface| surface.name.as_str())),
+            Self::Material(_) => Box::new(scene.materials.iter().map(|material| material.name.as_str())),
+            Self::Plot(_) => Box::new(scene.plots.iter().map(|plot| plot.name.as_str())),
+        }
+    }
+}
+
+/// A light of that shape above the origin, of an everyday strength.
+pub(super) fn new_light(shape: Shape) -> Light {
+    let value = match shape.strength_kind() {
+        QuantityKind::Luminance => 1000.0,
+        QuantityKind::IntensityPerMetre => 200.0,
+        QuantityKind::Intensity => 100.0,
+        QuantityKind::Illuminance | QuantityKind::Flux => 500.0,
+    };
+    Light {
+        name: shape.name().to_owned(),
+        position: DVec3::new(0.0, 0.0, 2.0),
+        rotation_deg: DVec3::ZERO,
+        tint: Tint::default(),
+        quantity: Quantity::new(shape.strength_kind(), value),
+        muted: false,
+        shape,
+    }
+}
+
+/// A rectangle about the origin.
+pub(super) fn rectangle(width: f64, depth: f64) -> Polygon {
+    let (x, y) = (0.5 * width, 0.5 * depth);
+    let vertices = vec![DVec2::new(-x, -y), DVec2::new(x, -y), DVec2::new(x, y), DVec2::new(-x, y)];
+    Polygon { vertices, two_sided: false }
+}
+
+/// The name of a plot kind on screen.
+pub(super) fn kind_name(kind: PlotKind) -> &'static str {
+    match kind {
+        PlotKind::Tilt => "tilt",
+        PlotKind::View => "view",
+        PlotKind::Line => "line",
+        PlotKind::Distance => "distance",
+    }
+}
+
+/// The range a plot of that kind starts with.
+pub(super) fn default_range(kind: PlotKind) -> [f64; 2] {
+    match kind {
+        PlotKind::Tilt | PlotKind::View => [-90.0, 90.0],
+        PlotKind::Line => [-3.0, 3.0],
+        PlotKind::Distance => [0.1, 10.0],
+    }
+}
+
+/// `base`, or `base 2`, `base 3`, … where it is taken.
+fn unique_name<'a>(taken: impl Iterator<Item = &'a String>, base: &str) -> String {
+    let taken: BTreeSet<&str> = taken.map(String::as_str).collect();
+    if !taken.contains(base) {
+        return base.to_owned();
+    }
+    let stem = base.rsplit_once(' ').filter(|(_, n)| n.parse::<u32>().is_ok()).map_or(base, |(stem, _)| stem);
+    let numbered = |n: usize| format!("{stem} {n}");
+    (2..=taken.len() + 2).map(numbered).find(|name| !taken.contains(name.as_str())).unwrap_or_else(|| base.to_owned())
+}
+
+/// Where a new surface stands on the ground.
+fn resting_position(shape: &surface::Shape) -> DVec3 {
+    use surface::Shape::{Box, Cone, Cylinder, Disk, Plane, Sphere, Square};
+    let height = match *shape {
+        Plane {} => 0.0,
+        Sphere { radius } => radius,
+        Box { size } => 0.5 * size.z,
+        Cylinder { height, .. } | Cone { height, .. } => 0.5 * height,
+        Square { .. } | Disk { .. } => 1.0,
+    };
+    height * DVec3::Z
+}
+
+fn new_material(name: String) -> Material {
+    Material { name, diffuse: DVec3::splat(0.5), specular: DVec3::splat(0.2), exponent: 32.0 }
+}
+
+fn new_plot(name: String, kind: PlotKind) -> Plot {
+    Plot {
+        name,
+        kind,
+        quantity: PlotQuantity::Irradiance,
+        position: DVec3::ZERO,
+        normal: DVec3::Z,
+        view: None,
+        axis: if kind == PlotKind::Distance { DVec3::NEG_Z } else { DVec3::Y },
+        range: default_range(kind),
+        material: None,
+        normalise: false,
+    }
+}
+
+fn duplicate(scene: &mut Scene, item: Item) -> Option<Item> {
+    let name = unique_name(item.siblings(scene).map(str::to_owned).collect::<Vec<_>>().iter(), item.name(scene)?);
+    Some(match item {
+        Item::Light(i) => {
+            let original = scene.lights[i].clone();
+            scene.lights.push(Light { name, position: original.position + COPY_OFFSET, ..original });
+            Item::Light(scene.lights.len() - 1)
+        }
+        Item::Surface(i) => {
+            let original = scene.surfaces[i].clone();
+            scene.surfaces.push(Surface { name, position: original.position + COPY_OFFSET, ..original });
+            Item::Surface(scene.surfaces.len() - 1)
+        }
+        Item::Material(i) => {
+            let original = scene.materials[i].clone();
+            scene.materials.push(Material { name, ..original });
+            Item::Material(scene.materials.len() - 1)
+        }
+        Item::Plot(i) => {
+            let original = scene.plots[i].clone();
+            scene.plots.push(Plot { name, ..original });
+            Item::Plot(scene.plots.len() - 1)
+        }
+    })
+}
+
+/// Whether a surface or plot that is not among `leaving` uses the material.
+fn is_used(scene: &Scene, material: Item, leaving: &[Item]) -> bool {
+    let name = material.name(scene);
+    let surfaces = scene.surfaces.iter().enumerate();
+    let plots = scene.plots.iter().enumerate();
+    surfaces.into_iter().any(|(i, s)| Some(s.material.as_str()) == name && !leaving.contains(&Item::Surface(i)))
+        || plots
+            .into_iter()
+            .any(|(i, p)| p.material.is_some() && p.material.as_deref() == name && !leaving.contains(&Item::Plot(i)))
+}
+
+fn remove(scene: &mut Scene, item: Item) {
+    if !item.exists(scene) {
+        return;
+    }
+    match item {
+        Item::Light(i) => drop(scene.lights.remove(i)),
+        Item::Surface(i) => drop(scene.surfaces.remove(i)),
+        Item::Material(i) => drop(scene.materials.remove(i)),
+        Item::Plot(i) => drop(scene.plots.remove(i)),
+    }
+}
+
+/// Rename, and let what refers to it follow.
+fn set_name(scene: &mut Scene, item: Item, old: &str, new: &str) {
+    match item {
+        Item::Light(i) => scene.lights[i].name = new.to_owned(),
+        Item::Surface(i) => scene.surfaces[i].name = new.to_owned(),
+        Item::Plot(i) => scene.plots[i].name = new.to_owned(),
+        Item::Material(i) => {
+            scene.materials[i].name = new.to_owned();
+            for surface in scene.surfaces.iter_mut().filter(|surface| surface.material == old) {
+                surface.material = new.to_owned();
+            }
+            for plot in scene.plots.iter_mut().filter(|plot| plot.material.as_deref() == Some(old)) {
+                plot.material = Some(new.to_owned());
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn session() -> Session {
+        let mut session = Session::new(Scene::default(), None);
+        session.add_surface(surface::Shape::Sphere { radius: 0.5 });
+        session.add_light(new_light(Shape::Polygon(rectangle(1.0, 1.0))));
+        session
+    }
+
+    fn light_names(session: &Session) -> Vec<&str> {
+        session.scene().lights.iter().map(|light| light.name.as_str()).collect()
+    }
+
+    #[test]
+    fn copies_get_names_of_their_own_and_are_selected() {
+        let mut session = session();
+        session.duplicate_selection();
+        session.duplicate_selection();
+        assert_eq!(light_names(&session), ["polygon", "polygon 2", "polygon 3"], "names");
+        assert_eq!(session.selection.items(), [Item::Light(2)], "the copy is selected");
+    }
+
+    #[test]
+    fn a_material_in_use_is_not_deleted_but_goes_with_its_surface() {
+        let mut session = session();
+        session.selection.set([Item::Material(0)]);
+        session.delete_selection();
+        assert_eq!((session.scene().materials.len(), session.notices.len()), (1, 1), "kept, and said so");
+        session.selection.set([Item::Material(0), Item::Surface(0)]);
+        session.delete_selection();
+        assert_eq!((session.scene().materials.len(), session.scene().surfaces.len()), (0, 0), "both gone");
+    }
+
+    #[test]
+    fn renaming_a_material_takes_its_surfaces_along() {
+        let mut session = session();
+        session.rename(Item::Material(0), " plaster ");
+        assert_eq!(session.scene().surfaces[0].material, "plaster", "the surface follows");
+        assert_eq!(session.history.undo_label(), Some("Rename"), "one step");
+    }
+
+    #[test]
+    fn a_taken_or_empty_name_is_refused_and_the_user_is_told() {
+        let mut session = session();
+        session.duplicate_selection();
+        session.rename(Item::Light(1), "polygon");
+        session.rename(Item::Light(1), "  ");
+        assert_eq!(light_names(&session), ["polygon", "polygon 2"], "unchanged");
+        assert_eq!(session.notices.len(), 2, "told twice");
+    }
+
+    #[test]
+    fn deleting_is_one_step_back() {
+        let mut session = session();
+        session.duplicate_selection();
+        session.selection.set([Item::Light(0), Item::Light(1), Item::Surface(0)]);
+        session.delete_selection();
+        assert_eq!((session.scene().lights.len(), session.scene().surfaces.len()), (0, 0), "all gone");
+        session.undo();
+        assert_eq!((session.scene().lights.len(), session.scene().surfaces.len()), (2, 1), "all back");
+    }
+}
