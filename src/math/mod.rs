@@ -2,3 +2,5 @@
 
 pub mod angle;
 pub mod frame;
+pub mod quadrature;
+pub mod spherical;
