@@ -1,1 +1,26 @@
-//! The live preview, in layers.
+//! The live preview, in layers, so that work follows change.
+//!
+//! 1. *G-buffer*: what the camera sees, by casting rays at the primitives (`gbuffer.rs`).
+//! 2. *Light layers*, one a light: its response at unit strength (`layers.rs`, `lights.rs`).
+//! 3. *Composite*: weights, materials, emitters, a running mean over samples; then the tone curve (`composite.rs`).
+//!
+//! f32 is born here. Everything is placed about the eye, in f64, before it is rounded.
+
+mod composite;
+mod context;
+mod gbuffer;
+mod layers;
+mod lights;
+mod pass;
+mod preview;
+mod read_back;
+mod shader;
+#[cfg(test)]
+mod tests;
+mod types;
+mod view;
+
+pub use context::{Context, GpuError, device_descriptor};
+pub use preview::Preview;
+pub use read_back::{Pixels, ReadBackError};
+pub use view::{Stats, View};

@@ -1,0 +1,222 @@
+//! The last layers: radiance from the light layers, and the picture from radiance.
+
+use super::gbuffer::GBuffer;
+use super::layers::Sample;
+use super::lights::LightData;
+use super::pass::{self, Binding, Target};
+use super::shader::{Module, Source};
+use super::types::{Composite, Reflectance, Tone, VisibleEmitter, f32_of, u32_of, vec3_of, vec4_of};
+use super::view::View;
+use crate::light::Emitter;
+use crate::scene::Scene;
+use glam::DVec3;
+use std::f64::consts::PI;
+
+/// Radiance, cd/m².
+const RADIANCE: wgpu::TextureFormat = wgpu::TextureFormat::Rgba32Float;
+/// sRGB-encoded already, which is what egui shows.
+const PICTURE: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
+/// Layers that one pass sums.
+const BATCH: usize = 8;
+
+/// All that radiance depends on beside the layers. Equal mixes of the same layers give equal radiance.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Mix {
+    /// Each light that contributes, and its weight.
+    lights: Vec<(LightData, [f32; 4])>,
+    reflectances: Vec<Reflectance>,
+    emitters: Vec<VisibleEmitter>,
+    emitter_vertices: Vec<[f32; 4]>,
+}
+
+impl Mix {
+    /// The scene's materials and emitters in this view; `lights` are its contributing lights in order.
+    pub(crate) fn new(scene: &Scene, view: &View, lights: Vec<(LightData, [f32; 4])>) -> Self {
+        let reflectances = scene
+            .materials
+            .iter()
+            .map(|material| Reflectance {
+                diffuse_over_pi: vec3_of(material.diffuse / PI),
+                specular: vec3_of(material.specular),
+                ..Default::default()
+            })
+            .collect();
+        let mut mix = Self { lights, reflectances, emitters: Vec::new(), emitter_vertices: Vec::new() };
+        if view.show_emitters {
+            for light in &scene.lights {
+                mix.add_emitter(&light.emitter(), light.weight(), view.camera.eye);
+            }
+        }
+        mix
+    }
+
+    fn add_emitter(&mut self, emitter: &Emitter, radiance: DVec3, eye: DVec3) {
+        let common = VisibleEmitter { radiance: vec3_of(radiance), ..Default::default() };
+        match emitter {
+            Emitter::Polygon(polygon) => {
+                self.emitters.push(VisibleEmitter {
+                    vector: vec3_of(polygon.normal),
+                    two_sided: u32::from(polygon.two_sided),
+                    first: u32_of(self.emitter_vertices.len()),
+                    count: u32_of(polygon.vertices.len()),
+                    ..common
+                });
+                self.emitter_vertices.extend(polygon.vertices.iter().map(|vertex| vec4_of(*vertex - eye, 0.0)));
+            }
+            Emitter::Sphere(sphere) => self.emitters.push(VisibleEmitter {
+                vector: vec3_of(sphere.center - eye),
+                radius: f32_of(sphere.radius),
+                ..common
+            }),
+            Emitter::Line(_) | Emitter::Point(_) | Emitter::Directional(_) => {}
+        }
+    }
+}
+
+/// A running mean of radiance, and the picture made of it.
+#[derive(Debug)]
+pub(crate) struct Picture {
+    size: [u32; 2],
+    /// Written in turn.
+    radiance: [Target; 2],
+    current: usize,
+    picture: Target,
+}
+
+impl Picture {
+    pub(crate) fn new(device: &wgpu::Device, size: [u32; 2]) -> Self {
+        Self {
+            size,
+            radiance: [Target::new(device, size, RADIANCE), Target::new(device, size, RADIANCE)],
+            current: 0,
+            picture: Target::new(device, size, PICTURE),
+        }
+    }
+
+    /// Size in pixels.
+    pub(crate) fn size(&self) -> [u32; 2] {
+        self.size
+    }
+
+    /// The mean so far.
+    pub(crate) fn radiance(&self) -> &Target {
+        &self.radiance[self.current]
+    }
+
+    /// Exposed, tone-mapped, encoded.
+    pub(crate) fn picture(&self) -> &Target {
+        &self.picture
+    }
+}
+
+/// What makes pictures.
+#[derive(Debug)]
+pub(crate) struct CompositePass {
+    scene_layout: wgpu::BindGroupLayout,
+    batch_layout: wgpu::BindGroupLayout,
+    sum: wgpu::RenderPipeline,
+    tone_layout: wgpu::BindGroupLayout,
+    tone: wgpu::RenderPipeline,
+    /// Stands in for the layers that a batch does not have.
+    no_layer: Target,
+}
+
+impl CompositePass {
+    pub(crate) fn new(device: &wgpu::Device) -> Self {
+        use Binding::{Storage, Texture, Uniform};
+        let scene_layout = pass::bind_group_layout(device, &[Texture, Texture, Storage, Storage, Storage]);
+        let batch_layout = pass::bind_group_layout(device, &[&[Uniform, Texture][..], &[Texture; BATCH]].concat());
+        let tone_layout = pass::bind_group_layout(device, &[Texture, Uniform]);
+        let [sum, tone] = Self::sources();
+        Self {
+            sum: pass::pipeline(device, &sum, "composite", &[&scene_layout, &batch_layout], &[RADIANCE]),
+            tone: pass::pipeline(device, &tone, "tone", &[&tone_layout], &[PICTURE]),
+            scene_layout,
+            batch_layout,
+            tone_layout,
+            no_layer: Target::new(device, [1, 1], wgpu::TextureFormat::Rg32Float),
+        }
+    }
+
+    /// The shaders of the sum and of the tone curve.
+    pub(crate) fn sources() -> [Source; 2] {
+        [Module::COMPOSITE, Module::TONE].map(|module| Source::join(&[Module::FULLSCREEN, module]))
+    }
+
+    /// Adds sample number `count` (from 1) to the mean; the first starts it anew.
+    pub(crate) fn accumulate(
+        &self,
+        device: &wgpu::Device,
+        encoder: &mut wgpu::CommandEncoder,
+        sample: &Sample,
+        mix: &Mix,
+        count: u32,
+        picture: &mut Picture,
+    ) {
+        let Some(gbuffer) = sample.gbuffer() else { return };
+        let scene = self.scene_group(device, gbuffer, mix);
+        let take = f32_of(f64::from(count).recip());
+        let batches = mix.lights.len().div_ceil(BATCH).max(1);
+        for batch in 0..batches {
+            let lights = &mix.lights[batch * BATCH..mix.lights.len().min((batch + 1) * BATCH)];
+            let mut uniform = Composite {
+                keep: if batch == 0 { 1.0 - take } else { 1.0 },
+                take,
+                first: u32::from(batch == 0),
+                emitter_count: u32_of(mix.emitters.len()),
+                ..Default::default()
+            };
+            for (slot, (_, weight)) in uniform.weights.iter_mut().zip(lights) {
+                *slot = *weight;
+            }
+            let group = self.batch_group(device, &uniform, sample, lights, picture.radiance());
+            let next = 1 - picture.current;
+            pass::run(encoder, &self.sum, &[&scene, &group], &[&picture.radiance[next].view]);
+            picture.current = next;
+        }
+    }
+
+    fn scene_group(&self, device: &wgpu::Device, gbuffer: &GBuffer, mix: &Mix) -> wgpu::BindGroup {
+        let reflectances = pass::storage(device, &mix.reflectances);
+        let emitters = pass::storage(device, &mix.emitters);
+        let vertices = pass::storage(device, &mix.emitter_vertices);
+        let resources = [
+            wgpu::BindingResource::TextureView(&gbuffer.positions.view),
+            wgpu::BindingResource::TextureView(&gbuffer.normals.view),
+            reflectances.as_entire_binding(),
+            emitters.as_entire_binding(),
+            vertices.as_entire_binding(),
+        ];
+        pass::bind_group(device, &self.scene_layout, &resources)
+    }
+
+    fn batch_group(
+        &self,
+        device: &wgpu::Device,
+        uniform: &Composite,
+        sample: &Sample,
+        lights: &[(LightData, [f32; 4])],
+        before: &Target,
+    ) -> wgpu::BindGroup {
+        let uniform = pass::uniform(device, uniform);
+        let mut resources = vec![uniform.as_entire_binding(), wgpu::BindingResource::TextureView(&before.view)];
+        let layers = lights.iter().map(|(light, _)| sample.layer(light).unwrap_or(&self.no_layer));
+        let layers = layers.chain(std::iter::repeat(&self.no_layer)).take(BATCH);
+        resources.extend(layers.map(|layer| wgpu::BindingResource::TextureView(&layer.view)));
+        pass::bind_group(device, &self.batch_layout, &resources)
+    }
+
+    /// Exposes the mean radiance and makes the picture of it.
+    pub(crate) fn tone(
+        &self,
+        device: &wgpu::Device,
+        encoder: &mut wgpu::CommandEncoder,
+        exposure_ev: f64,
+        picture: &Picture,
+    ) {
+        let settings = pass::uniform(device, &Tone { exposure: f32_of(exposure_ev.exp2() / 100.0) });
+        let resources = [wgpu::BindingResource::TextureView(&picture.radiance().view), settings.as_entire_binding()];
+        let group = pass::bind_group(device, &self.tone_layout, &resources);
+        pass::run(encoder, &self.tone, &[&group], &[&picture.picture.view]);
+    }
+}

@@ -1,0 +1,139 @@
+//! Light layers: what each light does at unit strength, at every pixel of a G-buffer.
+
+use std::collections::HashMap;
+
+use super::gbuffer::{GBuffer, GBufferPass, Seen};
+use super::lights::{LightData, Responder};
+use super::pass::{self, Binding, Target};
+use super::types::Lobe;
+use super::view::Stats;
+
+/// Irradiance and specular response.
+const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rg32Float;
+
+/// What makes layers: one pipeline a light shape and method, made when it is first needed.
+#[derive(Debug)]
+pub(crate) struct LayerPass {
+    gbuffer_layout: wgpu::BindGroupLayout,
+    light_layout: wgpu::BindGroupLayout,
+    pipelines: HashMap<Responder, wgpu::RenderPipeline>,
+}
+
+impl LayerPass {
+    pub(crate) fn new(device: &wgpu::Device) -> Self {
+        Self {
+            gbuffer_layout: pass::bind_group_layout(device, &[Binding::Texture, Binding::Texture, Binding::Storage]),
+            light_layout: pass::bind_group_layout(device, &[Binding::Uniform, Binding::Storage]),
+            pipelines: HashMap::new(),
+        }
+    }
+
+    fn draw(
+        &mut self,
+        device: &wgpu::Device,
+        encoder: &mut wgpu::CommandEncoder,
+        gbuffer: &wgpu::BindGroup,
+        light: &LightData,
+        target: &Target,
+    ) {
+        let layouts = [&self.gbuffer_layout, &self.light_layout];
+        let pipeline = self
+            .pipelines
+            .entry(light.responder)
+            .or_insert_with(|| pass::pipeline(device, &light.responder.source(), "layer", &layouts, &[FORMAT]));
+        let uniform = pass::buffer(device, &light.uniform, wgpu::BufferUsages::UNIFORM);
+        let vertices = pass::storage(device, &light.vertices);
+        let resources = [uniform.as_entire_binding(), vertices.as_entire_binding()];
+        let group = pass::bind_group(device, &self.light_layout, &resources);
+        pass::run(encoder, pipeline, &[gbuffer, &group], &[&target.view]);
+    }
+}
+
+/// One sample a pixel: a G-buffer and the layers on it, each kept for as long as what it depends on stays the same.
+#[derive(Debug, Default)]
+pub(crate) struct Sample {
+    gbuffer: Option<GBuffer>,
+    lobes: Vec<Lobe>,
+    /// The G-buffer and the lobes, as the layer shaders read them.
+    group: Option<wgpu::BindGroup>,
+    layers: Vec<(LightData, Target)>,
+}
+
+impl Sample {
+    /// The G-buffer; none before the first [`Self::update`].
+    pub(crate) fn gbuffer(&self) -> Option<&GBuffer> {
+        self.gbuffer.as_ref()
+    }
+
+    /// The layer of a light; none where it was not asked for.
+    pub(crate) fn layer(&self, light: &LightData) -> Option<&Target> {
+        self.layers.iter().find(|(data, _)| data == light).map(|(_, target)| target)
+    }
+
+    /// Redoes what changed, and answers whether anything did.
+    ///
+    /// Layers belong to light data, not to places in the list: deleting, inserting and reordering lights keep them.
+    /// Those of `dark` lights are kept but not made.
+    pub(crate) fn update(
+        &mut self,
+        device: &wgpu::Device,
+        encoder: &mut wgpu::CommandEncoder,
+        passes: (&GBufferPass, &mut LayerPass),
+        wanted: &Wanted,
+        stats: &mut Stats,
+    ) -> bool {
+        let (gbuffer_pass, layer_pass) = passes;
+        let seen_before = self.gbuffer.as_ref().is_some_and(|gbuffer| gbuffer.shows(&wanted.seen));
+        if !seen_before {
+            let same_size = self.gbuffer.as_ref().is_some_and(|gbuffer| gbuffer.size() == wanted.seen.size());
+            if !same_size {
+                self.layers.clear();
+            }
+            self.gbuffer = Some(gbuffer_pass.draw(device, encoder, wanted.seen.clone(), self.gbuffer.take()));
+            stats.g_buffers += 1;
+        }
+        let lobes_before = self.lobes == wanted.lobes;
+        let Some(gbuffer) = &self.gbuffer else { return false };
+        let fresh = !(seen_before && lobes_before);
+        if fresh || self.group.is_none() {
+            self.lobes.clone_from(&wanted.lobes);
+            let lobes = pass::storage(device, &self.lobes);
+            let resources = [
+                wgpu::BindingResource::TextureView(&gbuffer.positions.view),
+                wgpu::BindingResource::TextureView(&gbuffer.normals.view),
+                lobes.as_entire_binding(),
+            ];
+            self.group = Some(pass::bind_group(device, &layer_pass.gbuffer_layout, &resources));
+        }
+        let Some(group) = &self.group else { return false };
+
+        let known = |data: &LightData| wanted.lit.contains(data) || wanted.dark.contains(data);
+        let (kept, spare): (Vec<_>, Vec<_>) = self.layers.drain(..).partition(|(data, _)| !fresh && known(data));
+        self.layers = kept;
+        let mut spare = spare.into_iter().map(|(_, target)| target);
+        let mut changed = fresh;
+        for light in &wanted.lit {
+            if self.layers.iter().all(|(data, _)| data != light) {
+                let target = spare.next().unwrap_or_else(|| Target::new(device, wanted.seen.size(), FORMAT));
+                layer_pass.draw(device, encoder, group, light, &target);
+                self.layers.push((light.clone(), target));
+                stats.layers += 1;
+                changed = true;
+            }
+        }
+        changed
+    }
+}
+
+/// What a [`Sample`] is to hold.
+#[derive(Clone, Debug)]
+pub(crate) struct Wanted {
+    /// What the camera sees.
+    pub(crate) seen: Seen,
+    /// The materials' lobes.
+    pub(crate) lobes: Vec<Lobe>,
+    /// Lights that contribute.
+    pub(crate) lit: Vec<LightData>,
+    /// Lights that do not, for now.
+    pub(crate) dark: Vec<LightData>,
+}

@@ -1,0 +1,150 @@
+//! The live picture of a scene: redoes what changed, and nothing else.
+
+use super::composite::{CompositePass, Mix, Picture};
+use super::gbuffer::{GBufferPass, Seen};
+use super::layers::{LayerPass, Sample, Wanted};
+use super::lights::{self, LightData};
+use super::read_back::{self, Pixels, ReadBackError};
+use super::types::vec4_of;
+use super::view::{Stats, View};
+use crate::scene::Scene;
+
+/// Samples a pixel of a converged picture.
+const SAMPLES: u16 = 8;
+
+/// The live picture of a scene.
+///
+/// Work follows change: the G-buffer is redone when the camera, the size or a surface changes; a light's layer when
+/// that light's emitter, its method, a lobe or the G-buffer changes; the sum of the layers when a weight or a material
+/// changes; and nothing at all when nothing did. What to compare is the very data that the shaders read.
+#[derive(Debug)]
+pub struct Preview {
+    gbuffer_pass: GBufferPass,
+    layer_pass: LayerPass,
+    composite_pass: CompositePass,
+    /// Through the pixels' centres: what editing changes.
+    centred: Sample,
+    /// Off the centres: what smooths a still picture.
+    jittered: Sample,
+    mix: Option<Mix>,
+    exposure_ev: Option<f64>,
+    picture: Picture,
+    /// In the picture's mean.
+    samples: u16,
+    stats: Stats,
+}
+
+impl Preview {
+    /// A preview with no picture yet. The device needs WebGPU's default limits: see [`super::device_descriptor`].
+    pub fn new(device: &wgpu::Device, _queue: &wgpu::Queue) -> Self {
+        Self {
+            gbuffer_pass: GBufferPass::new(device),
+            layer_pass: LayerPass::new(device),
+            composite_pass: CompositePass::new(device),
+            centred: Sample::default(),
+            jittered: Sample::default(),
+            mix: None,
+            exposure_ev: None,
+            picture: Picture::new(device, [1, 1]),
+            samples: 0,
+            stats: Stats::default(),
+        }
+    }
+
+    /// The picture of a scene, as an sRGB-encoded `Rgba8Unorm` texture. The view stays the same for as long as the
+    /// size does.
+    pub fn render(
+        &mut self,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        scene: &Scene,
+        view: &View,
+    ) -> &wgpu::TextureView {
+        let view = View { size: view.size.map(|side| side.max(1)), ..*view };
+        let (wanted, mix) = wanted(scene, &view, [0.0, 0.0]);
+        let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        let passes = (&self.gbuffer_pass, &mut self.layer_pass);
+        let redone = self.centred.update(device, &mut encoder, passes, &wanted, &mut self.stats);
+        if self.picture.size() != view.size {
+            self.picture = Picture::new(device, view.size);
+        }
+        if redone || self.mix.as_ref() != Some(&mix) {
+            self.samples = 0;
+        }
+        let before = self.samples;
+        if self.samples == 0 {
+            self.accumulate(device, &mut encoder, &mix, false);
+        } else if view.refine && !self.is_converged() {
+            let jitter = jitter(self.samples);
+            let wanted = Wanted { seen: Seen::new(scene, &view, jitter), ..wanted };
+            let passes = (&self.gbuffer_pass, &mut self.layer_pass);
+            self.jittered.update(device, &mut encoder, passes, &wanted, &mut self.stats);
+            self.accumulate(device, &mut encoder, &mix, true);
+        }
+        self.mix = Some(mix);
+        if self.samples != before || self.exposure_ev != Some(view.exposure_ev) {
+            self.composite_pass.tone(device, &mut encoder, view.exposure_ev, &self.picture);
+            self.exposure_ev = Some(view.exposure_ev);
+            self.stats.tones += 1;
+            queue.submit([encoder.finish()]);
+        }
+        &self.picture.picture().view
+    }
+
+    fn accumulate(&mut self, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder, mix: &Mix, jittered: bool) {
+        let sample = if jittered { &self.jittered } else { &self.centred };
+        self.samples += 1;
+        self.composite_pass.accumulate(device, encoder, sample, mix, self.samples.into(), &mut self.picture);
+        self.stats.composites += 1;
+    }
+
+    /// How often each step was done.
+    pub fn stats(&self) -> Stats {
+        self.stats
+    }
+
+    /// Whether rendering the same again, with [`View::refine`], changes nothing.
+    pub fn is_converged(&self) -> bool {
+        self.samples >= SAMPLES
+    }
+
+    /// The picture, copied out of the device.
+    ///
+    /// # Errors
+    ///
+    /// [`ReadBackError`] where the device was lost.
+    pub fn read_back(&self, device: &wgpu::Device, queue: &wgpu::Queue) -> Result<Pixels, ReadBackError> {
+        read_back::pixels(device, queue, &self.picture)
+    }
+}
+
+/// What the layers are to be, and how they are mixed.
+fn wanted(scene: &Scene, view: &View, jitter: [f32; 2]) -> (Wanted, Mix) {
+    let mut mixed = Vec::new();
+    let mut wanted = Wanted {
+        seen: Seen::new(scene, view, jitter),
+        lobes: scene.materials.iter().map(lights::lobe).collect(),
+        lit: Vec::new(),
+        dark: Vec::new(),
+    };
+    for light in &scene.lights {
+        let data = LightData::new(&light.emitter(), view.method.for_shape(&light.shape), view.camera.eye);
+        let weight = light.weight();
+        if weight.max_element() > 0.0 {
+            wanted.lit.push(data.clone());
+            mixed.push((data, vec4_of(weight, 0.0)));
+        } else {
+            wanted.dark.push(data);
+        }
+    }
+    let mix = Mix::new(scene, view, mixed);
+    (wanted, mix)
+}
+
+/// Offset of a sample from the pixel's centre, in pixels, −½…½.
+///
+/// M. Roberts' R2 sequence, which is low-discrepancy for every number of samples: multiples of (1/φ, 1/φ²) modulo 1,
+/// φ the root of φ³ = φ + 1. Sample 0 is the centre.
+fn jitter(sample: u16) -> [f32; 2] {
+    [0.754_877_67, 0.569_840_3].map(|step: f32| (0.5 + f32::from(sample) * step).fract() - 0.5)
+}

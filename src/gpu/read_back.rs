@@ -1,0 +1,68 @@
+//! Pictures copied out of the device.
+
+use super::composite::Picture;
+
+/// A picture in memory, rows from the top.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Pixels {
+    /// Width and height.
+    pub size: [u32; 2],
+    /// Linear radiance, cd/m², Rec. 709.
+    pub radiance: Vec<[f32; 3]>,
+    /// Exposed, tone-mapped, sRGB-encoded, opaque.
+    pub srgb: Vec<[u8; 4]>,
+}
+
+/// Why nothing came back.
+#[derive(Debug, thiserror::Error)]
+pub enum ReadBackError {
+    /// The device was lost.
+    #[error("the graphics device was lost")]
+    Lost(#[source] wgpu::PollError),
+    /// The buffer could not be mapped.
+    #[error("the graphics device does not give its memory back")]
+    Unmapped,
+}
+
+pub(crate) fn pixels(device: &wgpu::Device, queue: &wgpu::Queue, picture: &Picture) -> Result<Pixels, ReadBackError> {
+    let radiance: Vec<[f32; 4]> = texture(device, queue, &picture.radiance().texture)?;
+    let srgb: Vec<[u8; 4]> = texture(device, queue, &picture.picture().texture)?;
+    Ok(Pixels { size: picture.size(), radiance: radiance.iter().map(|&[r, g, b, _]| [r, g, b]).collect(), srgb })
+}
+
+/// All texels of a texture, each of type `T`.
+fn texture<T: bytemuck::Pod>(
+    device: &wgpu::Device,
+    queue: &wgpu::Queue,
+    texture: &wgpu::Texture,
+) -> Result<Vec<T>, ReadBackError> {
+    let row = texture.width() as usize * size_of::<T>();
+    let padded_row = (row as u64).next_multiple_of(u64::from(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT));
+    let buffer = device.create_buffer(&wgpu::BufferDescriptor {
+        label: None,
+        size: padded_row * u64::from(texture.height()),
+        usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
+        mapped_at_creation: false,
+    });
+    let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+    let layout =
+        wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: u32::try_from(padded_row).ok(), rows_per_image: None };
+    encoder.copy_texture_to_buffer(
+        texture.as_image_copy(),
+        wgpu::TexelCopyBufferInfo { buffer: &buffer, layout },
+        texture.size(),
+    );
+    queue.submit([encoder.finish()]);
+    let bytes = mapped(device, &buffer)?;
+    let rows = bytes.chunks_exact(padded_row as usize);
+    Ok(rows.flat_map(|padded| bytemuck::pod_collect_to_vec::<u8, T>(&padded[..row])).collect())
+}
+
+/// The bytes of a buffer that can be mapped, once all work handed in is done.
+pub(crate) fn mapped(device: &wgpu::Device, buffer: &wgpu::Buffer) -> Result<Vec<u8>, ReadBackError> {
+    let slice = buffer.slice(..);
+    slice.map_async(wgpu::MapMode::Read, |_| {});
+    device.poll(wgpu::PollType::wait_indefinitely()).map_err(ReadBackError::Lost)?;
+    let Ok(range) = slice.get_mapped_range() else { return Err(ReadBackError::Unmapped) };
+    Ok(range.to_vec())
+}

@@ -1,0 +1,138 @@
+//! Shaders, joined from plain `.wgsl` files, with a map from their lines to files.
+
+use std::fmt::Write as _;
+
+/// One `.wgsl` file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) struct Module {
+    name: &'static str,
+    text: &'static str,
+}
+
+macro_rules! modules {
+    ($($(#[$doc:meta])* $constant:ident = $file:literal;)*) => {
+        impl Module {
+            $($(#[$doc])* pub(crate) const $constant: Self =
+                Self { name: $file, text: include_str!(concat!("shaders/", $file)) };)*
+
+            /// Every module, each after those that it uses.
+            #[cfg(test)]
+            pub(crate) const ALL: &[Self] = &[$(Self::$constant),*];
+        }
+    };
+}
+
+modules! {
+    /// Types and functions of all light shaders.
+    COMMON = "common.wgsl";
+    /// Point and directional lights.
+    POINT = "point.wgsl";
+    /// Many point lights that stand for one light.
+    CLUSTER = "cluster.wgsl";
+    /// Linear lights.
+    LINE = "line.wgsl";
+    /// Polygonal lights.
+    POLYGON = "polygon.wgsl";
+    /// Spherical lights.
+    SPHERE = "sphere.wgsl";
+    /// The pass's triangle.
+    FULLSCREEN = "fullscreen.wgsl";
+    /// The first layer.
+    GBUFFER = "gbuffer.wgsl";
+    /// A light's layer.
+    LAYER = "layer.wgsl";
+    /// The sum of the layers.
+    COMPOSITE = "composite.wgsl";
+    /// The tone curve.
+    TONE = "tone.wgsl";
+}
+
+#[cfg(test)]
+impl Module {
+    pub(crate) fn name(&self) -> &'static str {
+        self.name
+    }
+
+    pub(crate) fn text(&self) -> &'static str {
+        self.text
+    }
+}
+
+/// Modules joined in order, and text that was made for the occasion.
+#[derive(Clone, Debug)]
+pub(crate) struct Source {
+    text: String,
+    /// Name and first line, from 1, of each part.
+    parts: Vec<(&'static str, usize)>,
+}
+
+impl Source {
+    /// The modules in order, each after those that it uses.
+    pub(crate) fn join(modules: &[Module]) -> Self {
+        let mut source = Self { text: String::new(), parts: Vec::new() };
+        for module in modules {
+            source.push(module.name, module.text);
+        }
+        source
+    }
+
+    /// Adds text that belongs to no file; `name` stands for one in errors.
+    pub(crate) fn with(mut self, name: &'static str, text: &str) -> Self {
+        self.push(name, text);
+        self
+    }
+
+    fn push(&mut self, name: &'static str, text: &str) {
+        self.parts.push((name, self.text.lines().count() + 1));
+        self.text.push_str(text);
+        if !self.text.ends_with('\n') {
+            self.text.push('\n');
+        }
+    }
+
+    /// The same with every occurrence of `from` replaced, and how many there were.
+    pub(crate) fn replaced(&self, from: &str, to: &str) -> (Self, usize) {
+        let count = self.text.matches(from).count();
+        (Self { text: self.text.replace(from, to), parts: self.parts.clone() }, count)
+    }
+
+    /// The whole text.
+    pub(crate) fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// File and line, both for people, of a line of the whole text, from 1.
+    pub(crate) fn place(&self, line: usize) -> (&'static str, usize) {
+        let part = self.parts.iter().rev().find(|(_, first)| *first <= line);
+        part.map_or(("shader", line), |(name, first)| (name, line - first + 1))
+    }
+
+    /// The shader module.
+    ///
+    /// # Panics
+    ///
+    /// With file, line and message where the text is not WGSL: the texts are our own.
+    pub(crate) fn compile(&self, device: &wgpu::Device, label: &str) -> wgpu::ShaderModule {
+        let scope = device.push_error_scope(wgpu::ErrorFilter::Validation);
+        let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
+            label: Some(label),
+            source: wgpu::ShaderSource::Wgsl(self.text.as_str().into()),
+        });
+        if let Some(error) = pollster::block_on(scope.pop()) {
+            let info = pollster::block_on(module.get_compilation_info());
+            panic!("{}", self.describe(&info, &error));
+        }
+        module
+    }
+
+    fn describe(&self, info: &wgpu::CompilationInfo, error: &wgpu::Error) -> String {
+        let mut text = String::new();
+        for message in &info.messages {
+            if let Some(location) = message.location {
+                let (file, line) = self.place(location.line_number as usize);
+                let _ = writeln!(text, "{file}:{line}:{}: {}", location.line_position, message.message);
+            }
+        }
+        if text.is_empty() { error.to_string() } else { text }
+    }
+}

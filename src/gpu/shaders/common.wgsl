@@ -1,0 +1,71 @@
+// What every light shader works with.
+//
+// Positions are about the eye, or about any origin near p: a shading function subtracts p first, so that f32 holds what
+// matters. Directions are unit vectors. Functions have the name and the meaning of their Rust twins in `shading`.
+
+const PI = 3.14159265358979323846;
+const HALF_PI = 1.57079632679489661923;
+
+// A point to shade: position, unit normal, unit mirror direction, and its entry in `lobes`.
+struct Shading {
+    p: vec3f,
+    n: vec3f,
+    r: vec3f,
+    lobe: u32,
+}
+
+// What a unit-strength light does at a point; see the Rust type of that name.
+struct Response {
+    irradiance: f32,
+    specular: f32,
+}
+
+// A material's Phong lobe: exponent m, and what `shading::PhongLobe` knows of it.
+struct Lobe {
+    exponent: f32,
+    // cosᵐ is below the approximations' threshold where the cosine is below this.
+    chebyshev_cut: f32,
+    // Coefficients in use.
+    chebyshev_count: u32,
+    unused: u32,
+    chebyshev: array<vec4f, 4>,
+}
+
+@group(0) @binding(2) var<storage, read> lobes: array<Lobe>;
+
+// Vertices of the light, or its cluster's points.
+@group(1) @binding(1) var<storage, read> vertices: array<vec4f>;
+
+// (m + 1) / 2π: what makes the lobe's integral over its hemisphere 1.
+fn lobe_normalization(m: f32) -> f32 {
+    return (m + 1.0) / (2.0 * PI);
+}
+
+// xᵐ, 0 for x ≤ 0.
+fn power(x: f32, m: f32) -> f32 {
+    return select(0.0, exp2(m * log2(max(x, 1e-37))), x > 0.0);
+}
+
+// Arctangent of y/x in the right quadrant, within 3e-7 of itself; 0 where both are 0.
+//
+// atan(t) = π/8 + atan((t − tan π/8)/(1 + t·tan π/8)) brings t into |t| ≤ tan π/8, where Taylor's series to t¹³ leaves
+// less than 1.3e-7.
+fn arctangent(y: f32, x: f32) -> f32 {
+    let ax = abs(x);
+    let ay = abs(y);
+    let greatest = max(ax, ay);
+    if greatest == 0.0 {
+        return 0.0;
+    }
+    let tan_eighth = 0.41421356237309504880;
+    let t = min(ax, ay) / greatest;
+    let steep = t > 0.25;
+    let u = select(t, (t - tan_eighth) / (1.0 + t * tan_eighth), steep);
+    let s = u * u;
+    let tail = 1.0 / 7.0 - s * (1.0 / 9.0 - s * (1.0 / 11.0 - s * (1.0 / 13.0)));
+    let series = u - u * s * (1.0 / 3.0 - s * (0.2 - s * tail));
+    var angle = select(series, series + 0.39269908169872415481, steep);
+    angle = select(angle, HALF_PI - angle, ay > ax);
+    angle = select(angle, PI - angle, x < 0.0);
+    return select(angle, -angle, y < 0.0);
+}

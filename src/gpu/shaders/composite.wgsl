@@ -1,0 +1,148 @@
+// Light layers, weighed and summed to radiance, with the emitters that are seen; a running mean over samples.
+
+struct Composite {
+    // out = keep · before + take · (this batch)
+    keep: f32,
+    take: f32,
+    // The batch that also draws the emitters.
+    first: u32,
+    emitter_count: u32,
+    // Strength times tint of each layer.
+    weights: array<vec4f, 8>,
+}
+
+struct Reflectance {
+    diffuse_over_pi: vec3f,
+    specular: vec3f,
+}
+
+struct VisibleEmitter {
+    // Polygon: unit normal. Sphere: centre about the eye.
+    vector: vec3f,
+    // Polygon: 0. Sphere: radius.
+    radius: f32,
+    radiance: vec3f,
+    two_sided: u32,
+    first: u32,
+    count: u32,
+}
+
+@group(0) @binding(0) var positions: texture_2d<f32>;
+@group(0) @binding(1) var normals: texture_2d<f32>;
+@group(0) @binding(2) var<storage, read> reflectances: array<Reflectance>;
+@group(0) @binding(3) var<storage, read> emitters: array<VisibleEmitter>;
+@group(0) @binding(4) var<storage, read> emitter_vertices: array<vec4f>;
+
+@group(1) @binding(0) var<uniform> composite_batch: Composite;
+@group(1) @binding(1) var before: texture_2d<f32>;
+@group(1) @binding(2) var layer_0: texture_2d<f32>;
+@group(1) @binding(3) var layer_1: texture_2d<f32>;
+@group(1) @binding(4) var layer_2: texture_2d<f32>;
+@group(1) @binding(5) var layer_3: texture_2d<f32>;
+@group(1) @binding(6) var layer_4: texture_2d<f32>;
+@group(1) @binding(7) var layer_5: texture_2d<f32>;
+@group(1) @binding(8) var layer_6: texture_2d<f32>;
+@group(1) @binding(9) var layer_7: texture_2d<f32>;
+
+@fragment
+fn composite(@builtin(position) pixel: vec4f) -> @location(0) vec4f {
+    let at = vec2i(pixel.xy);
+    let position = textureLoad(positions, at, 0);
+    var radiance = vec3f();
+    let emitter = emitter_seen(position);
+    if emitter.w > 0.0 {
+        radiance = select(vec3f(), emitter.xyz, composite_batch.first == 1u);
+    } else if position.w > 0.0 {
+        let reflectance = reflectances[u32(textureLoad(normals, at, 0).w)];
+        let light = sum_of_layers(at);
+        radiance = reflectance.diffuse_over_pi * light.irradiance + reflectance.specular * light.specular;
+    }
+    let sample = vec4f(composite_batch.take * radiance, 1.0);
+    if composite_batch.keep == 0.0 {
+        return sample;
+    }
+    return vec4f(sample.xyz + composite_batch.keep * textureLoad(before, at, 0).xyz, 1.0);
+}
+
+struct ColoredResponse {
+    irradiance: vec3f,
+    specular: vec3f,
+}
+
+fn sum_of_layers(at: vec2i) -> ColoredResponse {
+    let a = weighed(0u, textureLoad(layer_0, at, 0), weighed(1u, textureLoad(layer_1, at, 0), nothing()));
+    let b = weighed(2u, textureLoad(layer_2, at, 0), weighed(3u, textureLoad(layer_3, at, 0), a));
+    let c = weighed(4u, textureLoad(layer_4, at, 0), weighed(5u, textureLoad(layer_5, at, 0), b));
+    return weighed(6u, textureLoad(layer_6, at, 0), weighed(7u, textureLoad(layer_7, at, 0), c));
+}
+
+fn nothing() -> ColoredResponse {
+    return ColoredResponse(vec3f(), vec3f());
+}
+
+fn weighed(index: u32, response: vec4f, sum: ColoredResponse) -> ColoredResponse {
+    let weight = composite_batch.weights[index].xyz;
+    return ColoredResponse(sum.irradiance + weight * response.x, sum.specular + weight * response.y);
+}
+
+// Radiance of the nearest emitter in front of the surface; w is 1 where there is one.
+fn emitter_seen(position: vec4f) -> vec4f {
+    let d = normalize(position.xyz);
+    var nearest = select(3e38, length(position.xyz), position.w > 0.0);
+    var seen = vec4f();
+    for (var i = 0u; i < composite_batch.emitter_count; i++) {
+        let emitter = emitters[i];
+        var t = 0.0;
+        if emitter.radius > 0.0 {
+            t = distance_to_sphere(emitter.vector, emitter.radius, d);
+        } else {
+            t = distance_to_polygon(emitter, d);
+        }
+        if t > 0.0 && t < nearest {
+            nearest = t;
+            // The unlit side of a polygon hides what is behind it, and is black.
+            let lit = emitter.radius > 0.0 || emitter.two_sided == 1u || dot(emitter.vector, d) < 0.0;
+            seen = vec4f(select(vec3f(), emitter.radiance, lit), 1.0);
+        }
+    }
+    return seen;
+}
+
+fn distance_to_sphere(centre: vec3f, radius: f32, d: vec3f) -> f32 {
+    let b = dot(centre, d);
+    let apart = centre - b * d;
+    let half_squared = radius * radius - dot(apart, apart);
+    if half_squared < 0.0 {
+        return 0.0;
+    }
+    let half = sqrt(half_squared);
+    return select(b + half, b - half, b > half);
+}
+
+// Even-odd rule in the polygon's plane, with its steepest axis left out.
+fn distance_to_polygon(emitter: VisibleEmitter, d: vec3f) -> f32 {
+    let toward = dot(emitter.vector, d);
+    if abs(toward) < 1e-12 {
+        return 0.0;
+    }
+    let t = dot(emitter.vector, emitter_vertices[emitter.first].xyz) / toward;
+    let n = abs(emitter.vector);
+    var inside = false;
+    var a = planar(emitter_vertices[emitter.first + emitter.count - 1u].xyz - t * d, n);
+    for (var i = 0u; i < emitter.count; i++) {
+        let b = planar(emitter_vertices[emitter.first + i].xyz - t * d, n);
+        if (a.y > 0.0) != (b.y > 0.0) {
+            let x = a.x - a.y * (b.x - a.x) / (b.y - a.y);
+            inside = inside != (x > 0.0);
+        }
+        a = b;
+    }
+    return select(0.0, t, inside);
+}
+
+fn planar(v: vec3f, n: vec3f) -> vec2f {
+    if n.x >= n.y && n.x >= n.z {
+        return v.yz;
+    }
+    return select(v.xy, v.xz, n.y >= n.z);
+}

@@ -1,0 +1,169 @@
+//! What the shaders read, byte for byte; a test holds the layouts against naga's reflection of the WGSL.
+
+use bytemuck::{Pod, Zeroable};
+use glam::{DVec3, Vec3};
+
+/// A structure that WGSL knows under the same name, with the same fields.
+pub(crate) trait GpuStruct: Pod {
+    /// Name in WGSL.
+    const NAME: &'static str;
+    /// Fields and their offsets in bytes; `pad` fields are WGSL's implicit padding.
+    const FIELDS: &'static [(&'static str, usize)];
+}
+
+macro_rules! gpu_structs {
+    ($($(#[$doc:meta])* $name:ident { $($(#[$field_doc:meta])* $field:ident: $ty:ty,)* })*) => {
+        $(
+            $(#[$doc])*
+            #[repr(C)]
+            #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+            pub(crate) struct $name {
+                $($(#[$field_doc])* pub(crate) $field: $ty,)*
+            }
+
+            impl GpuStruct for $name {
+                const NAME: &'static str = stringify!($name);
+                const FIELDS: &'static [(&'static str, usize)] =
+                    &[$((stringify!($field), std::mem::offset_of!($name, $field))),*];
+            }
+        )*
+
+        /// Name, size and fields of every structure.
+        #[cfg(test)]
+        pub(crate) const LAYOUTS: &[(&str, usize, &[(&str, usize)])] =
+            &[$(($name::NAME, size_of::<$name>(), $name::FIELDS)),*];
+    };
+}
+
+gpu_structs! {
+    /// The camera's axes and the picture's size.
+    Camera {
+        right: Vec3,
+        tan_half: f32,
+        up: Vec3,
+        width: f32,
+        back: Vec3,
+        height: f32,
+        jitter: [f32; 2],
+        primitive_count: u32,
+        unused: u32,
+    }
+
+    /// A surface, about the eye.
+    Primitive {
+        local_from_world: [[f32; 4]; 3],
+        world_from_local: [[f32; 4]; 3],
+        eye_local: Vec3,
+        kind: u32,
+        origin: Vec3,
+        material: u32,
+        size: Vec3,
+        unused: u32,
+    }
+
+    /// A material's Phong lobe.
+    Lobe {
+        exponent: f32,
+        chebyshev_cut: f32,
+        chebyshev_count: u32,
+        unused: u32,
+        chebyshev: [[f32; 4]; 4],
+    }
+
+    /// A point light.
+    PointLight {
+        position: Vec3,
+        unused: u32,
+    }
+
+    /// A directional light.
+    DirectionalLight {
+        to_light: Vec3,
+        unused: u32,
+    }
+
+    /// A linear light.
+    LineLight {
+        a: Vec3,
+        falloff: f32,
+        b: Vec3,
+        unused: u32,
+    }
+
+    /// A polygonal light.
+    PolygonLight {
+        normal: Vec3,
+        count: u32,
+        two_sided: u32,
+        pad: [u32; 3],
+    }
+
+    /// A spherical light.
+    SphereLight {
+        center: Vec3,
+        radius: f32,
+    }
+
+    /// Point lights that stand for a light.
+    ClusterLight {
+        normal: Vec3,
+        emission: u32,
+        falloff: f32,
+        count: u32,
+        pad: [u32; 2],
+    }
+
+    /// One batch of the composite.
+    Composite {
+        keep: f32,
+        take: f32,
+        first: u32,
+        emitter_count: u32,
+        weights: [[f32; 4]; 8],
+    }
+
+    /// A material, lobe apart.
+    Reflectance {
+        diffuse_over_pi: Vec3,
+        pad_0: u32,
+        specular: Vec3,
+        pad_1: u32,
+    }
+
+    /// An emitter with a visible surface.
+    VisibleEmitter {
+        vector: Vec3,
+        radius: f32,
+        radiance: Vec3,
+        two_sided: u32,
+        first: u32,
+        count: u32,
+        pad: [u32; 2],
+    }
+
+    /// What the tone curve needs.
+    Tone {
+        exposure: f32,
+    }
+}
+
+/// Once rounded.
+#[expect(clippy::cast_possible_truncation, reason = "f32 is born here")]
+pub(crate) fn f32_of(x: f64) -> f32 {
+    x as f32
+}
+
+/// Once rounded.
+pub(crate) fn vec3_of(v: DVec3) -> Vec3 {
+    v.as_vec3()
+}
+
+/// A column or vertex in the layout of `vec4f`.
+pub(crate) fn vec4_of(v: DVec3, w: f64) -> [f32; 4] {
+    v.as_vec3().extend(f32_of(w)).to_array()
+}
+
+/// A count for WGSL.
+pub(crate) fn u32_of(count: usize) -> u32 {
+    u32::try_from(count).unwrap_or(u32::MAX)
+}

@@ -1,0 +1,171 @@
+//! The GPU preview: what it redoes, and that it shows what the CPU computes.
+//!
+//! These tests need an adapter, software or not, and fail without one.
+
+use glam::{DVec2, DVec3};
+use softbox::gpu::{Context, Pixels, Preview, Stats, View};
+use softbox::light::{Light, Line, LineEmission, Point, Polygon, Quantity, QuantityKind, Shape, Tint};
+use softbox::scene::{Camera, Scene};
+use softbox::shading::Method;
+use softbox::surface::{self, Material, Surface};
+
+struct Bench {
+    context: Context,
+    preview: Preview,
+    scene: Scene,
+    view: View,
+}
+
+impl Bench {
+    fn new(scene: Scene) -> Self {
+        let context = Context::new().expect("these tests need a graphics adapter");
+        let preview = Preview::new(&context.device, &context.queue);
+        let view = View {
+            camera: scene.camera,
+            size: [64, 48],
+            method: Method::Exact,
+            exposure_ev: 0.0,
+            show_emitters: false,
+            refine: false,
+        };
+        Self { context, preview, scene, view }
+    }
+
+    fn render(&mut self) -> Stats {
+        self.preview.render(&self.context.device, &self.context.queue, &self.scene, &self.view);
+        self.preview.stats()
+    }
+
+    fn pixels(&self) -> Pixels {
+        self.preview.read_back(&self.context.device, &self.context.queue).expect("the picture comes back")
+    }
+
+    /// What one more rendering costs.
+    #[track_caller]
+    fn check_cost(&mut self, change: &str, expected: Stats) {
+        let before = self.preview.stats();
+        let after = self.render();
+        let cost = Stats {
+            g_buffers: after.g_buffers - before.g_buffers,
+            layers: after.layers - before.layers,
+            composites: after.composites - before.composites,
+            tones: after.tones - before.tones,
+        };
+        assert_eq!(cost, expected, "{change}");
+    }
+}
+
+fn light(name: &str, x: f64, kind: QuantityKind, shape: Shape) -> Light {
+    Light {
+        name: name.to_owned(),
+        position: DVec3::new(x, 0.0, 2.0),
+        rotation_deg: DVec3::ZERO,
+        tint: Tint::default(),
+        quantity: Quantity::new(kind, 1000.0),
+        muted: false,
+        shape,
+    }
+}
+
+/// A floor, a ball, and a point, a line and a polygon over them.
+fn scene() -> Scene {
+    let material =
+        Material { name: "grey".to_owned(), diffuse: DVec3::splat(0.5), specular: DVec3::splat(0.2), exponent: 32.0 };
+    let surface = |name: &str, position, shape| Surface {
+        name: name.to_owned(),
+        material: "grey".to_owned(),
+        position,
+        rotation_deg: DVec3::ZERO,
+        scale: DVec3::ONE,
+        shape,
+    };
+    let square = [(-0.5, -0.5), (0.5, -0.5), (0.5, 0.5), (-0.5, 0.5)].map(DVec2::from).to_vec();
+    let line = Line { length: 1.0, emission: LineEmission::Isotropic, falloff: 2.0 };
+    Scene {
+        camera: Camera::default(),
+        materials: vec![material],
+        surfaces: vec![
+            surface("floor", DVec3::ZERO, surface::Shape::Plane {}),
+            surface("ball", DVec3::new(0.0, 0.0, 0.5), surface::Shape::Sphere { radius: 0.5 }),
+        ],
+        lights: vec![
+            light("point", -1.0, QuantityKind::Intensity, Shape::Point(Point {})),
+            light("line", 0.0, QuantityKind::IntensityPerMetre, Shape::Line(line)),
+            light(
+                "window",
+                1.0,
+                QuantityKind::Luminance,
+                Shape::Polygon(Polygon { vertices: square, two_sided: false }),
+            ),
+        ],
+        ..Scene::default()
+    }
+}
+
+const NOTHING: Stats = Stats { g_buffers: 0, layers: 0, composites: 0, tones: 0 };
+const COMPOSITE: Stats = Stats { composites: 1, tones: 1, ..NOTHING };
+
+#[test]
+fn work_follows_change() {
+    let mut bench = Bench::new(scene());
+    bench.check_cost("first picture", Stats { g_buffers: 1, layers: 3, ..COMPOSITE });
+    bench.check_cost("nothing", NOTHING);
+
+    bench.scene.lights[1].position.z = 1.5;
+    bench.check_cost("one light is dragged", Stats { layers: 1, ..COMPOSITE });
+    bench.scene.lights[0].tint = Tint::Color(DVec3::new(1.0, 0.5, 0.2));
+    bench.check_cost("a tint", COMPOSITE);
+    bench.scene.lights[2].quantity = Quantity::new(QuantityKind::Flux, 500.0);
+    bench.check_cost("a quantity", COMPOSITE);
+    bench.scene.lights[2].muted = true;
+    bench.check_cost("mute", COMPOSITE);
+    bench.scene.lights[2].muted = false;
+    bench.check_cost("unmute", COMPOSITE);
+    bench.scene.lights[0].name = "lamp".to_owned();
+    bench.check_cost("a name", NOTHING);
+    bench.view.exposure_ev = 1.0;
+    bench.check_cost("exposure", Stats { tones: 1, ..NOTHING });
+
+    let taken = bench.scene.lights.remove(0);
+    bench.check_cost("a light is deleted", COMPOSITE);
+    bench.scene.lights.push(taken);
+    bench.check_cost("and added again, last", Stats { layers: 1, ..COMPOSITE });
+    bench.scene.lights.swap(0, 1);
+    bench.check_cost("the order of the lights", COMPOSITE);
+    let mut copy = bench.scene.lights[0].clone();
+    copy.name = "copy".to_owned();
+    bench.scene.lights.push(copy);
+    bench.check_cost("a copy in the same place shares its layer", COMPOSITE);
+
+    bench.scene.materials[0].diffuse = DVec3::splat(0.7);
+    bench.check_cost("a reflectance", COMPOSITE);
+    bench.scene.materials[0].exponent = 64.0;
+    bench.check_cost("an exponent", Stats { layers: 3, ..COMPOSITE });
+    bench.scene.surfaces[1].position.x = 0.3;
+    bench.check_cost("a surface", Stats { g_buffers: 1, layers: 3, ..COMPOSITE });
+    bench.view.camera.eye.x = 1.0;
+    bench.check_cost("the camera", Stats { g_buffers: 1, layers: 3, ..COMPOSITE });
+    bench.view.size = [32, 32];
+    bench.check_cost("the size", Stats { g_buffers: 1, layers: 3, ..COMPOSITE });
+    bench.view.show_emitters = true;
+    bench.check_cost("emitters", COMPOSITE);
+    bench.check_cost("nothing", NOTHING);
+}
+
+#[test]
+fn a_point_light_over_the_floor_gives_the_inverse_square() {
+    let mut bench = Bench::new(scene());
+    bench.scene.lights.truncate(1);
+    bench.scene.lights[0].position = DVec3::new(0.0, 0.0, 2.0);
+    bench.scene.surfaces.truncate(1);
+    bench.scene.materials[0].specular = DVec3::ZERO;
+    bench.view.camera = Camera { eye: DVec3::new(0.0, 0.0, 5.0), target: DVec3::ZERO, fov_deg: 40.0 };
+    bench.view.size = [1, 1];
+    bench.render();
+    let expected = 1000.0 / 4.0 * 0.5 / std::f64::consts::PI;
+    let radiance = bench.pixels().radiance[0];
+    for channel in radiance {
+        let error = (f64::from(channel) - expected).abs() / expected;
+        assert!(error < 1e-6, "{radiance:?} is not {expected} (relative error {error:e})");
+    }
+}
