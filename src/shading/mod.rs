@@ -3,8 +3,14 @@
 //! Every function here works on an [`Emitter`]: a light in the world at unit strength. Its [`Response`] times the
 //! light's [`weight`](crate::light::Light::weight) and the material gives radiance.
 
+pub mod cluster;
+pub mod line;
 mod lobe;
 mod method;
+pub mod point;
+pub mod polygon;
+pub mod reference;
+pub mod sphere;
 
 pub use lobe::PhongLobe;
 pub use method::{Method, UnknownMethod};
@@ -43,6 +49,11 @@ pub struct Response {
 /// The unit-strength response at a point by a method; methods that a shape does not have answer as
 /// [`Method::Exact`] does (see [`Method::for_shape`]).
 pub fn respond(emitter: &Emitter, method: Method, at: &ShadingPoint, lobe: &PhongLobe) -> Response {
-    let _ = (emitter, method, at, lobe);
-    Response::default()
+    match emitter {
+        Emitter::Polygon(light) => polygon::respond(light, method, at, lobe),
+        Emitter::Line(light) => line::respond(light, method, at, lobe),
+        Emitter::Sphere(light) => sphere::respond(light, method, at, lobe),
+        Emitter::Point(light) => point::respond(light, at, lobe),
+        Emitter::Directional(light) => point::respond_directional(light, at, lobe),
+    }
 }

@@ -1,0 +1,3 @@
+//! Closed forms against reference data, quadrature, limits and properties. One module a light shape.
+
+mod cases;
