@@ -27,6 +27,10 @@ pub struct Quantity {
 }
 
 impl QuantityKind {
+    /// All kinds.
+    pub const ALL: [Self; 5] =
+        [Self::Luminance, Self::Flux, Self::Intensity, Self::IntensityPerMetre, Self::Illuminance];
+
     /// The key in scene files.
     pub fn key(self) -> &'static str {
         match self {

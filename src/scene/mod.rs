@@ -1,12 +1,24 @@
 //! The document: what a scene file holds, how it is loaded, checked, saved and edited.
 
 mod camera;
+mod file;
 mod history;
+mod load;
 mod plot;
+mod problem;
+mod save;
+mod schema;
+mod structure;
+mod validate;
 
 pub use camera::{Camera, Display};
 pub use history::History;
+pub use load::{MAX_FILE_BYTES, load, parse};
 pub use plot::{Plot, PlotKind, PlotQuantity};
+pub use problem::{LoadError, Path, Place, Problem, Segment};
+pub use save::{SaveError, save, to_toml};
+pub use schema::schema;
+pub use validate::validate;
 
 use crate::light::Light;
 use crate::surface::{Material, Surface};

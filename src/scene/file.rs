@@ -1,0 +1,174 @@
+//! The scene format as serde and schemars see it, and its translation to and from [`Scene`].
+
+use glam::DVec3;
+use schemars::{JsonSchema, Schema};
+use serde::Deserialize;
+use serde_json::json;
+
+use super::problem::Path;
+use super::{Camera, Display, FORMAT, Plot, Problem, Scene};
+use crate::light::{Light, Quantity, QuantityKind, Shape, Tint};
+use crate::surface::{Material, Surface};
+
+/// A Softbox scene, or a light preset: a scene with lights and nothing else.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(title = "Softbox scene")]
+pub(super) struct File {
+    /// The number of the format.
+    #[schemars(extend("const" = FORMAT))]
+    #[expect(dead_code, reason = "checked before the rest is read")]
+    pub(super) format: u32,
+    /// What people call the scene.
+    #[serde(default)]
+    pub(super) name: String,
+    /// From where it is seen.
+    #[serde(default)]
+    pub(super) camera: Camera,
+    /// How its radiance becomes a picture.
+    #[serde(default)]
+    pub(super) display: Display,
+    /// Materials.
+    #[serde(default)]
+    pub(super) material: Vec<Material>,
+    /// Surfaces.
+    #[serde(default)]
+    pub(super) surface: Vec<Surface>,
+    /// Lights.
+    #[serde(default)]
+    pub(super) light: Vec<LightEntry>,
+    /// Plots.
+    #[serde(default)]
+    pub(super) plot: Vec<Plot>,
+}
+
+/// A light. It states exactly one quantity, and a color or a temperature but not both.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(rename = "Light", transform = one_quantity_at_most_one_tint)]
+pub(super) struct LightEntry {
+    /// Unique among the lights of a scene.
+    name: String,
+    /// Origin of the light's own frame, metres.
+    #[serde(default)]
+    #[schemars(with = "[f64; 3]")]
+    position: DVec3,
+    /// Rotation of the light's own frame, R = Rz·Ry·Rx, degrees; unrotated, it emits along −Z.
+    #[serde(default)]
+    #[schemars(with = "[f64; 3]")]
+    rotation_deg: DVec3,
+    /// Tint, linear Rec. 709 RGB; its luminance does not matter.
+    #[schemars(with = "[f64; 3]")]
+    #[serde(default)]
+    color: Option<DVec3>,
+    /// Tint as the temperature of a black body, kelvin.
+    #[serde(default)]
+    #[schemars(with = "f64")]
+    temperature_k: Option<f64>,
+    /// In cd/m²: polygon, sphere.
+    #[serde(default)]
+    #[schemars(with = "f64")]
+    luminance: Option<f64>,
+    /// In lm: polygon, line, sphere, point.
+    #[serde(default)]
+    #[schemars(with = "f64")]
+    flux: Option<f64>,
+    /// In cd: point.
+    #[serde(default)]
+    #[schemars(with = "f64")]
+    intensity: Option<f64>,
+    /// In cd/m: line.
+    #[serde(default)]
+    #[schemars(with = "f64")]
+    intensity_per_metre: Option<f64>,
+    /// In lx, on a surface that faces the light: directional.
+    #[serde(default)]
+    #[schemars(with = "f64")]
+    illuminance: Option<f64>,
+    /// A muted light contributes nothing.
+    #[serde(default)]
+    muted: bool,
+    /// Shape, in the light's own frame.
+    shape: Shape,
+}
+
+/// What serde's types cannot say of a light: which keys exclude each other.
+fn one_quantity_at_most_one_tint(schema: &mut Schema) {
+    let one_of: Vec<_> = QuantityKind::ALL.iter().map(|kind| json!({ "required": [kind.key()] })).collect();
+    schema.insert("oneOf".to_owned(), one_of.into());
+    schema.insert("not".to_owned(), json!({ "required": ["color", "temperature_k"] }));
+}
+
+impl File {
+    /// The scene that the file states, or what is contradictory in it.
+    pub(super) fn into_scene(self) -> Result<Scene, Vec<Problem>> {
+        let mut problems = Vec::new();
+        let mut lights = Vec::new();
+        for (i, entry) in self.light.into_iter().enumerate() {
+            match entry.into_light(&Path::default().key("light").index(i)) {
+                Ok(light) => lights.push(light),
+                Err(problem) => problems.push(problem),
+            }
+        }
+        if !problems.is_empty() {
+            return Err(problems);
+        }
+        Ok(Scene {
+            name: self.name,
+            camera: self.camera,
+            display: self.display,
+            materials: self.material,
+            surfaces: self.surface,
+            lights,
+            plots: self.plot,
+        })
+    }
+}
+
+impl LightEntry {
+    fn into_light(self, path: &Path) -> Result<Light, Problem> {
+        let tint = match (self.color, self.temperature_k) {
+            (None, None) => Tint::default(),
+            (Some(color), None) => Tint::Color(color),
+            (None, Some(kelvin)) => Tint::TemperatureK(kelvin),
+            (Some(_), Some(_)) => {
+                let message = "stands beside `color`; keep one of the two";
+                return Err(Problem::new(path.key("temperature_k"), message));
+            }
+        };
+        Ok(Light {
+            quantity: self.quantity(path)?,
+            name: self.name,
+            position: self.position,
+            rotation_deg: self.rotation_deg,
+            tint,
+            muted: self.muted,
+            shape: self.shape,
+        })
+    }
+
+    /// The one quantity that the entry states.
+    fn quantity(&self, path: &Path) -> Result<Quantity, Problem> {
+        let stated = |kind| match kind {
+            QuantityKind::Luminance => self.luminance,
+            QuantityKind::Flux => self.flux,
+            QuantityKind::Intensity => self.intensity,
+            QuantityKind::IntensityPerMetre => self.intensity_per_metre,
+            QuantityKind::Illuminance => self.illuminance,
+        };
+        let mut quantities = QuantityKind::ALL.into_iter().filter_map(|kind| Some(Quantity::new(kind, stated(kind)?)));
+        match (quantities.next(), quantities.next()) {
+            (Some(quantity), None) => Ok(quantity),
+            (Some(first), Some(second)) => {
+                let message = format!("stands beside `{}`; keep one of the two", first.kind().key());
+                Err(Problem::new(path.key(second.kind().key()), message))
+            }
+            (None, _) => {
+                let keys: Vec<_> = self.shape.quantity_kinds().iter().map(|kind| format!("`{}`", kind.key())).collect();
+                let message =
+                    format!("does not say how bright it is; a {} takes {}", self.shape.name(), keys.join(" or "));
+                Err(Problem::new(path.clone(), message))
+            }
+        }
+    }
+}

@@ -1,0 +1,215 @@
+//! From a scene to a scene file.
+
+use std::fmt::Write as _;
+use std::fs;
+use std::io::{self, Write as _};
+use std::path::{Path, PathBuf};
+
+use serde::Serialize;
+use tempfile::Builder;
+use toml::ser::ValueSerializer;
+
+use super::{Camera, Display, FORMAT, Plot, Problem, Scene, validate};
+use crate::light::{Light, Tint};
+use crate::surface::{Material, Surface};
+
+/// Why a scene could not be saved. What stood in the file before still stands there.
+#[derive(Debug, thiserror::Error)]
+pub enum SaveError {
+    /// The file could not be written.
+    #[error("{}: cannot be saved: {source}", file.display())]
+    Write {
+        /// The file.
+        file: PathBuf,
+        /// Why.
+        source: io::Error,
+    },
+    /// The scene could not be loaded again.
+    #[error("{}: not saved, as it could not be opened again: {}", file.display(), problems[0])]
+    Invalid {
+        /// The file.
+        file: PathBuf,
+        /// What is wrong with the scene; at least one.
+        problems: Vec<Problem>,
+    },
+}
+
+/// Save a scene so that, after a crash at any moment, the file is the old one or the new one.
+///
+/// The text goes to a new file in the same folder, and to the disk, before that takes the name. A symbolic link is
+/// followed, and an existing file's permissions are kept.
+pub fn save(scene: &Scene, path: impl AsRef<Path>) -> Result<(), SaveError> {
+    let path = path.as_ref();
+    let problems = validate(scene);
+    if !problems.is_empty() {
+        return Err(SaveError::Invalid { file: path.to_owned(), problems });
+    }
+    replace(path, to_toml(scene).as_bytes()).map_err(|source| SaveError::Write { file: path.to_owned(), source })
+}
+
+/// The text of a scene's file.
+///
+/// Equal scenes give equal texts. Defaults are left out; `[camera]` and `[display]` stand in a preset only if they
+/// differ from theirs.
+pub fn to_toml(scene: &Scene) -> String {
+    let Scene { name, camera, display, materials, surfaces, lights, plots } = scene;
+    let mut out = Table::default();
+    out.key("format", &FORMAT);
+    out.key_unless(name.is_empty(), "name", name);
+    let is_preset = surfaces.is_empty();
+    if !is_preset || *camera != Camera::default() {
+        write_camera(&mut out, camera);
+    }
+    if !is_preset || *display != Display::default() {
+        write_display(&mut out, display);
+    }
+    materials.iter().for_each(|material| write_material(&mut out, material));
+    surfaces.iter().for_each(|surface| write_surface(&mut out, surface));
+    lights.iter().for_each(|light| write_light(&mut out, light));
+    plots.iter().for_each(|plot| write_plot(&mut out, plot));
+    out.0
+}
+
+// Every struct below is taken apart whole, so that a new field cannot be forgotten.
+
+fn write_camera(out: &mut Table, camera: &Camera) {
+    let Camera { eye, target, fov_deg } = camera;
+    out.header("[camera]");
+    out.key("eye", eye);
+    out.key("target", target);
+    out.key("fov_deg", fov_deg);
+}
+
+fn write_display(out: &mut Table, display: &Display) {
+    let Display { exposure_ev } = display;
+    out.header("[display]");
+    out.key("exposure_ev", exposure_ev);
+}
+
+fn write_material(out: &mut Table, material: &Material) {
+    let Material { name, diffuse, specular, exponent } = material;
+    out.header("[[material]]");
+    out.key("name", name);
+    out.key("diffuse", diffuse);
+    out.key("specular", specular);
+    out.key("exponent", exponent);
+}
+
+fn write_surface(out: &mut Table, surface: &Surface) {
+    let Surface { name, material, position, rotation_deg, scale, shape } = surface;
+    out.header("[[surface]]");
+    out.key("name", name);
+    out.key("material", material);
+    out.key_unless(*position == Default::default(), "position", position);
+    out.key_unless(*rotation_deg == Default::default(), "rotation_deg", rotation_deg);
+    out.key_unless(*scale == glam::DVec3::ONE, "scale", scale);
+    out.key("shape", shape);
+}
+
+fn write_light(out: &mut Table, light: &Light) {
+    let Light { name, position, rotation_deg, tint, quantity, muted, shape } = light;
+    out.header("[[light]]");
+    out.key("name", name);
+    out.key_unless(*position == Default::default(), "position", position);
+    out.key_unless(*rotation_deg == Default::default(), "rotation_deg", rotation_deg);
+    match tint {
+        Tint::Color(color) => out.key_unless(*tint == Tint::default(), "color", color),
+        Tint::TemperatureK(kelvin) => out.key("temperature_k", kelvin),
+    }
+    out.key(quantity.kind().key(), &quantity.value());
+    out.key_unless(!muted, "muted", muted);
+    out.key("shape", shape);
+}
+
+fn write_plot(out: &mut Table, plot: &Plot) {
+    let Plot { name, kind, quantity, position, normal, view, axis, range, material, normalise } = plot;
+    out.header("[[plot]]");
+    out.key("name", name);
+    out.key("kind", kind);
+    out.key("quantity", quantity);
+    out.key("position", position);
+    out.key("normal", normal);
+    if let Some(view) = view {
+        out.key("view", view);
+    }
+    out.key("axis", axis);
+    out.key("range", range);
+    if let Some(material) = material {
+        out.key("material", material);
+    }
+    out.key_unless(!normalise, "normalise", normalise);
+}
+
+/// A TOML document as it is written.
+#[derive(Default)]
+struct Table(String);
+
+impl Table {
+    /// Start a table, an empty line before it.
+    fn header(&mut self, header: &str) {
+        self.0.push('\n');
+        self.0.push_str(header);
+        self.0.push('\n');
+    }
+
+    /// A key and its value on one line.
+    fn key(&mut self, key: &str, value: &impl Serialize) {
+        write!(self.0, "{key} = ").expect("a String takes all text");
+        value.serialize(ValueSerializer::new(&mut self.0)).expect("scenes hold only what TOML can say");
+        self.0.push('\n');
+    }
+
+    fn key_unless(&mut self, is_default: bool, key: &str, value: &impl Serialize) {
+        if !is_default {
+            self.key(key, value);
+        }
+    }
+}
+
+/// Put `bytes` in the place of the file `path`, all or nothing.
+fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    let path = follow_links(path)?;
+    let folder = match path.parent() {
+        Some(folder) if folder != Path::new("") => folder,
+        _ => Path::new("."),
+    };
+    let old = match fs::metadata(&path) {
+        Ok(old) if old.is_dir() => return Err(io::ErrorKind::IsADirectory.into()),
+        Ok(old) if old.permissions().readonly() => return Err(io::Error::other("the file is read-only")),
+        Ok(old) => Some(old),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => None,
+        Err(error) => return Err(error),
+    };
+    let mut builder = Builder::new();
+    builder.prefix(".softbox-").suffix(".toml");
+    #[cfg(unix)]
+    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666)); // less the umask, as any new file
+    let mut new = builder.tempfile_in(folder)?;
+    new.write_all(bytes)?;
+    if let Some(old) = old {
+        new.as_file().set_permissions(old.permissions())?;
+    }
+    new.as_file().sync_all()?;
+    new.persist(&path).map_err(|error| error.error)?;
+    sync_folder(folder)
+}
+
+/// The file that `path` stands for when all symbolic links are followed; it need not exist.
+fn follow_links(path: &Path) -> io::Result<PathBuf> {
+    /// As many as Linux follows.
+    const MAX_LINKS: usize = 40;
+    let mut path = path.to_owned();
+    for _ in 0..MAX_LINKS {
+        if !path.is_symlink() {
+            return Ok(path);
+        }
+        let target = fs::read_link(&path)?;
+        path = path.parent().unwrap_or(Path::new("")).join(target);
+    }
+    Err(io::Error::other("too many symbolic links"))
+}
+
+/// Bring a renaming in `folder` to the disk.
+fn sync_folder(folder: &Path) -> io::Result<()> {
+    if cfg!(unix) { fs::File::open(folder)?.sync_all() } else { Ok(()) }
+}
