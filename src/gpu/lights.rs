@@ -5,8 +5,7 @@ use glam::DVec3;
 use super::shader::{Module, Source};
 use super::types::{ClusterLight, DirectionalLight, Lobe, PointLight, f32_of, u32_of, vec3_of, vec4_of};
 use crate::light::Emitter;
-use crate::shading::Method;
-use crate::surface::Material;
+use crate::shading::{Method, PhongLobe};
 
 /// The WGSL that answers for a light: one pipeline each.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -91,7 +90,7 @@ impl LightData {
     }
 }
 
-/// A material's lobe.
-pub(crate) fn lobe(material: &Material) -> Lobe {
-    Lobe { exponent: f32_of(material.exponent), ..Default::default() }
+/// A lobe as the shaders read it.
+pub(crate) fn lobe(lobe: &PhongLobe) -> Lobe {
+    Lobe { exponent: f32_of(lobe.exponent()), ..Default::default() }
 }

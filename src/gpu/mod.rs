@@ -17,6 +17,7 @@ mod read_back;
 mod shader;
 #[cfg(test)]
 mod tests;
+pub mod twin;
 mod types;
 mod view;
 

@@ -8,6 +8,7 @@ use super::read_back::{self, Pixels, ReadBackError};
 use super::types::vec4_of;
 use super::view::{Stats, View};
 use crate::scene::Scene;
+use crate::shading::PhongLobe;
 
 /// Samples a pixel of a converged picture.
 const SAMPLES: u16 = 8;
@@ -123,7 +124,7 @@ fn wanted(scene: &Scene, view: &View, jitter: [f32; 2]) -> (Wanted, Mix) {
     let mut mixed = Vec::new();
     let mut wanted = Wanted {
         seen: Seen::new(scene, view, jitter),
-        lobes: scene.materials.iter().map(lights::lobe).collect(),
+        lobes: scene.materials.iter().map(|material| lights::lobe(&PhongLobe::new(material.exponent))).collect(),
         lit: Vec::new(),
         dark: Vec::new(),
     };

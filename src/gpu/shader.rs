@@ -41,6 +41,8 @@ modules! {
     GBUFFER = "gbuffer.wgsl";
     /// A light's layer.
     LAYER = "layer.wgsl";
+    /// A function over a table.
+    TWIN = "twin.wgsl";
     /// The sum of the layers.
     COMPOSITE = "composite.wgsl";
     /// The tone curve.

@@ -6,6 +6,7 @@ use super::composite::CompositePass;
 use super::gbuffer::GBufferPass;
 use super::lights::Responder;
 use super::shader::{Module, Source};
+use super::twin;
 use super::types::LAYOUTS;
 
 /// The module that naga makes of a source; an error says file and line.
@@ -30,6 +31,7 @@ fn every_source() -> Vec<Source> {
     let mut sources: Vec<_> = Responder::ALL.iter().map(Responder::source).collect();
     sources.push(GBufferPass::source());
     sources.extend(CompositePass::sources());
+    sources.extend(twin::FUNCTIONS.iter().map(twin::source));
     sources
 }
 

@@ -141,6 +141,14 @@ gpu_structs! {
         pad: [u32; 2],
     }
 
+    /// Where a twin's row is.
+    TwinRow {
+        first_number: u32,
+        first_vertex: u32,
+        vertex_count: u32,
+        unused: u32,
+    }
+
     /// What the tone curve needs.
     Tone {
         exposure: f32,

@@ -1,0 +1,253 @@
+//! WGSL functions over tables of rows, to be compared with their f64 twins on the same inputs.
+
+use glam::DVec3;
+
+use super::context::Context;
+use super::lights;
+use super::pass;
+use super::read_back::{self, ReadBackError};
+use super::shader::{Module, Source};
+use super::types::{TwinRow, f32_of, u32_of, vec4_of};
+use crate::shading::PhongLobe;
+
+/// A WGSL function that has a twin of the same name in `shading`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Function {
+    /// Its name in Rust and in WGSL.
+    pub name: &'static str,
+    /// The modules that it needs beside [`Module::COMMON`].
+    modules: &'static [Module],
+    /// How it is called on a row: `f(i)` is number i of the row, `v(i)` the vector that begins there; the row's
+    /// vertices are `vertices[row.first_vertex ..][.. row.vertex_count]`, and `lobes[lobe]` is its lobe.
+    call: &'static str,
+}
+
+macro_rules! functions {
+    ($($(#[$doc:meta])* $constant:ident = $name:literal in $modules:expr, $call:literal;)*) => {
+        $($(#[$doc])* pub const $constant: Function =
+            Function { name: $name, modules: $modules, call: concat!($name, $call) };)*
+
+        /// Every function.
+        pub const FUNCTIONS: &[Function] = &[$($constant),*];
+    };
+}
+
+functions! {
+    /// Row: vector to the light, normal.
+    POINT_IRRADIANCE = "point_irradiance" in &[Module::POINT], "(v(0), v(3))";
+    /// Row: vector to the light, normal, mirror direction, exponent.
+    POINT_PHONG = "point_phong" in &[Module::POINT], "(v(0), v(3), v(6), f(9))";
+    /// Row: unit direction to the light, normal, mirror direction, exponent.
+    DIRECTIONAL_PHONG = "directional_phong" in &[Module::POINT], "(v(0), v(3), v(6), f(9))";
+    /// Row: y, x. Its twin is `f64::atan2`.
+    ARCTANGENT = "arctangent" in &[], "(f(0), f(1))";
+}
+
+/// The inputs of one call. They should be rounded already ([`rounded`]), so that the f64 twin gets the same.
+#[derive(Clone, Debug)]
+pub struct Row {
+    numbers: Vec<f32>,
+    vertices: Vec<[f32; 4]>,
+    lobe: PhongLobe,
+}
+
+impl Default for Row {
+    fn default() -> Self {
+        Self { numbers: Vec::new(), vertices: Vec::new(), lobe: PhongLobe::new(1.0) }
+    }
+}
+
+impl Row {
+    /// Adds a number.
+    #[must_use]
+    pub fn number(mut self, x: f64) -> Self {
+        self.numbers.push(f32_of(x));
+        self
+    }
+
+    /// Adds the three numbers of a vector.
+    #[must_use]
+    pub fn vector(self, v: DVec3) -> Self {
+        self.number(v.x).number(v.y).number(v.z)
+    }
+
+    /// Sets the vertices.
+    #[must_use]
+    pub fn vertices(mut self, vertices: &[DVec3]) -> Self {
+        self.vertices = vertices.iter().map(|vertex| vec4_of(*vertex, 0.0)).collect();
+        self
+    }
+
+    /// Sets the lobe.
+    #[must_use]
+    pub fn lobe(mut self, lobe: PhongLobe) -> Self {
+        self.lobe = lobe;
+        self
+    }
+}
+
+/// A vector rounded once to f32, as the shaders get it.
+pub fn rounded(v: DVec3) -> DVec3 {
+    v.as_vec3().as_dvec3()
+}
+
+/// A number rounded once to f32, as the shaders get it.
+pub fn rounded_number(x: f64) -> f64 {
+    f32_of(x).into()
+}
+
+/// How much of the error that is allowed on the GPU an answer uses up: |x − expected| / (1e-4·|expected| + 1e-6·scale).
+///
+/// At most 1 is right; not finite is infinitely wrong.
+pub fn share_of_bound(x: f32, expected: f64, scale: f64) -> f64 {
+    let bound = 1e-4 * expected.abs() + 1e-6 * scale;
+    let error = (f64::from(x) - expected).abs();
+    if !error.is_finite() {
+        f64::INFINITY
+    } else if error > 0.0 {
+        error / bound
+    } else {
+        0.0
+    }
+}
+
+/// A function, ready to run on a device.
+#[derive(Debug)]
+pub struct Twin {
+    context: Context,
+    pipeline: wgpu::ComputePipeline,
+}
+
+impl Twin {
+    /// The function as it is.
+    pub fn new(context: &Context, function: &Function) -> Self {
+        Self::compile(context, &source(function))
+    }
+
+    /// The function with an error in it: every `from` in its text is `to`. A comparison that can fail must then fail.
+    ///
+    /// None where its text does not have `from`.
+    pub fn with_error(context: &Context, function: &Function, from: &str, to: &str) -> Option<Self> {
+        let (source, count) = source(function).replaced(from, to);
+        (count > 0).then(|| Self::compile(context, &source))
+    }
+
+    fn compile(context: &Context, source: &Source) -> Self {
+        let module = source.compile(&context.device, "twin");
+        let layouts = layouts(&context.device);
+        let layout = context.device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+            label: None,
+            bind_group_layouts: &[Some(&layouts[0]), Some(&layouts[1]), Some(&layouts[2])],
+            immediate_size: 0,
+        });
+        let pipeline = context.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+            label: None,
+            layout: Some(&layout),
+            module: &module,
+            entry_point: Some("twin"),
+            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            cache: None,
+        });
+        Self { context: context.clone(), pipeline }
+    }
+
+    /// The function's value on each row.
+    ///
+    /// # Errors
+    ///
+    /// [`ReadBackError`] where the device was lost.
+    pub fn run(&self, rows: &[Row]) -> Result<Vec<f32>, ReadBackError> {
+        if rows.is_empty() {
+            return Ok(Vec::new());
+        }
+        let device = &self.context.device;
+        let table = Table::new(rows);
+        let size = (rows.len() * size_of::<f32>()) as u64;
+        let make = |usage| {
+            device.create_buffer(&wgpu::BufferDescriptor { label: None, size, usage, mapped_at_creation: false })
+        };
+        let results = make(wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC);
+        let copy = make(wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST);
+        let lobes = pass::storage(device, &table.lobes);
+        let vertices = pass::storage(device, &table.vertices);
+        let places = pass::storage(device, &table.rows);
+        let numbers = pass::storage(device, &table.numbers);
+        let groups = [vec![(2, &lobes)], vec![(1, &vertices)], vec![(0, &places), (1, &numbers), (2, &results)]];
+
+        let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        {
+            let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
+            pass.set_pipeline(&self.pipeline);
+            for (index, (layout, buffers)) in (0..).zip(layouts(device).iter().zip(&groups)) {
+                let entries: Vec<_> = buffers
+                    .iter()
+                    .map(|(binding, buffer)| wgpu::BindGroupEntry {
+                        binding: *binding,
+                        resource: buffer.as_entire_binding(),
+                    })
+                    .collect();
+                let group =
+                    device.create_bind_group(&wgpu::BindGroupDescriptor { label: None, layout, entries: &entries });
+                pass.set_bind_group(index, &group, &[]);
+            }
+            pass.dispatch_workgroups(u32_of(rows.len().div_ceil(64)), 1, 1);
+        }
+        encoder.copy_buffer_to_buffer(&results, 0, &copy, 0, size);
+        self.context.queue.submit([encoder.finish()]);
+        Ok(bytemuck::pod_collect_to_vec(&read_back::mapped(device, &copy)?))
+    }
+}
+
+/// The whole shader.
+pub(crate) fn source(function: &Function) -> Source {
+    let modules = [&[Module::COMMON], function.modules, &[Module::TWIN]].concat();
+    Source::join(&modules).with("evaluate", &format!("fn evaluate() -> f32 {{ return {}; }}", function.call))
+}
+
+/// Lobes and vertices where the light shaders have them, and the rows.
+fn layouts(device: &wgpu::Device) -> [wgpu::BindGroupLayout; 3] {
+    let layout = |bindings: &[(u32, bool)]| {
+        let entries: Vec<_> = bindings
+            .iter()
+            .map(|&(binding, read_only)| wgpu::BindGroupLayoutEntry {
+                binding,
+                visibility: wgpu::ShaderStages::COMPUTE,
+                ty: wgpu::BindingType::Buffer {
+                    ty: wgpu::BufferBindingType::Storage { read_only },
+                    has_dynamic_offset: false,
+                    min_binding_size: None,
+                },
+                count: None,
+            })
+            .collect();
+        device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: None, entries: &entries })
+    };
+    [layout(&[(2, true)]), layout(&[(1, true)]), layout(&[(0, true), (1, true), (2, false)])]
+}
+
+/// Rows in the layout of `twin.wgsl`.
+#[derive(Default)]
+struct Table {
+    rows: Vec<TwinRow>,
+    numbers: Vec<f32>,
+    vertices: Vec<[f32; 4]>,
+    lobes: Vec<super::types::Lobe>,
+}
+
+impl Table {
+    fn new(rows: &[Row]) -> Self {
+        let mut table = Self::default();
+        for row in rows {
+            table.rows.push(TwinRow {
+                first_number: u32_of(table.numbers.len()),
+                first_vertex: u32_of(table.vertices.len()),
+                vertex_count: u32_of(row.vertices.len()),
+                unused: 0,
+            });
+            table.numbers.extend_from_slice(&row.numbers);
+            table.vertices.extend_from_slice(&row.vertices);
+            table.lobes.push(lights::lobe(&row.lobe));
+        }
+        table
+    }
+}
