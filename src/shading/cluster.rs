@@ -11,11 +11,16 @@ pub fn line_cluster(light: &LineEmitter, points: u32, at: &ShadingPoint, lobe: &
     let (n, r) = (at.n, at.mirror());
     let part = light.length() / f64::from(points);
     let mut sum = Response::default();
-    for i in 0..points {
-        let t = (f64::from(i) + 0.5) / f64::from(points);
-        sum += falloff_response(light.a.lerp(light.b, t) - at.p, part, light.falloff, n, r, lobe);
+    for position in line_points(light, points) {
+        sum += falloff_response(position - at.p, part, light.falloff, n, r, lobe);
     }
     sum
+}
+
+/// The points of [`line_cluster`].
+pub fn line_points(light: &LineEmitter, points: u32) -> impl Iterator<Item = DVec3> {
+    let (a, b) = (light.a, light.b);
+    (0..points).map(move |i| a.lerp(b, (f64::from(i) + 0.5) / f64::from(points)))
 }
 
 /// A polygon as N Lambertian point lights on rows parallel to its first edge, each standing for its share of the area.
