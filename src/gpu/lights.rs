@@ -1,11 +1,18 @@
 //! Lights as the layer shaders read them, and which shader answers for which light and method.
 
+use std::f64::consts::PI;
+
 use glam::DVec3;
 
 use super::shader::{Module, Source};
 use super::types::{ClusterLight, DirectionalLight, Lobe, PointLight, f32_of, u32_of, vec3_of, vec4_of};
-use crate::light::Emitter;
+use crate::light::{Emitter, LineEmitter, PolygonEmitter, SphereEmitter};
+use crate::shading::cluster::{self, PointOfArea};
 use crate::shading::{Method, PhongLobe};
+
+// How a cluster's points emit, in `cluster.wgsl`; isotropic is 0.
+const ONE_SIDED: u32 = 1;
+const TWO_SIDED: u32 = 2;
 
 /// The WGSL that answers for a light: one pipeline each.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -47,46 +54,58 @@ pub(crate) struct LightData {
 impl LightData {
     /// An emitter as `method` sees it, about the eye. `reference` has no shader: the closed form stands in.
     pub(crate) fn new(emitter: &Emitter, method: Method, eye: DVec3) -> Self {
-        let _ = method;
         match emitter {
-            Emitter::Point(point) => {
-                let position = vec3_of(point.position - eye);
+            Emitter::Point(light) => {
+                let position = vec3_of(light.position - eye);
                 Self::without_vertices(Responder::POINT, &PointLight { position, unused: 0 })
             }
-            Emitter::Directional(directional) => {
-                let to_light = vec3_of(directional.to_light);
+            Emitter::Directional(light) => {
+                let to_light = vec3_of(light.to_light);
                 Self::without_vertices(Responder::DIRECTIONAL, &DirectionalLight { to_light, unused: 0 })
             }
-            Emitter::Polygon(polygon) => {
-                let area = polygon.vector_area().length();
-                let emission = 1 + u32::from(polygon.two_sided);
-                Self::cluster(&[(polygon.centroid() - eye, area)], polygon.normal, emission, 2.0)
-            }
-            Emitter::Line(line) => Self::cluster(&[(line.middle() - eye, line.length())], DVec3::ZERO, 0, line.falloff),
-            Emitter::Sphere(sphere) => {
-                let strength = std::f64::consts::PI * sphere.radius * sphere.radius;
-                Self::cluster(&[(sphere.center - eye, strength)], DVec3::ZERO, 0, 2.0)
-            }
+            Emitter::Polygon(light) => Self::polygon(light, method, eye),
+            Emitter::Line(light) => Self::line(light, method, eye),
+            Emitter::Sphere(light) => Self::sphere(light, method, eye),
         }
+    }
+
+    fn polygon(light: &PolygonEmitter, method: Method, eye: DVec3) -> Self {
+        let points = match method {
+            Method::PointCluster(points) => cluster::polygon_points(light, points),
+            _ => vec![PointOfArea { position: light.centroid(), area: light.vector_area().length() }],
+        };
+        let points = points.iter().map(|point| vec4_of(point.position - eye, point.area)).collect();
+        let emission = if light.two_sided { TWO_SIDED } else { ONE_SIDED };
+        Self::cluster(
+            points,
+            ClusterLight { normal: vec3_of(light.normal), emission, falloff: 2.0, ..Default::default() },
+        )
+    }
+
+    fn line(light: &LineEmitter, method: Method, eye: DVec3) -> Self {
+        let points = match method {
+            Method::PointCluster(points) => cluster::line_points(light, points).collect(),
+            _ => vec![light.middle()],
+        };
+        let part = light.length() / points.len() as f64;
+        let points = points.iter().map(|position| vec4_of(*position - eye, part)).collect();
+        Self::cluster(points, ClusterLight { falloff: f32_of(light.falloff), ..Default::default() })
+    }
+
+    fn sphere(light: &SphereEmitter, _method: Method, eye: DVec3) -> Self {
+        let intensity = PI * light.radius * light.radius;
+        let points = vec![vec4_of(light.center - eye, intensity)];
+        Self::cluster(points, ClusterLight { falloff: 2.0, ..Default::default() })
     }
 
     fn without_vertices<T: bytemuck::Pod>(responder: Responder, uniform: &T) -> Self {
         Self { responder, uniform: bytemuck::bytes_of(uniform).to_vec(), vertices: vec![[0.0; 4]] }
     }
 
-    fn cluster(points: &[(DVec3, f64)], normal: DVec3, emission: u32, falloff: f64) -> Self {
-        let uniform = ClusterLight {
-            normal: vec3_of(normal),
-            emission,
-            falloff: f32_of(falloff),
-            count: u32_of(points.len()),
-            pad: [0; 2],
-        };
-        Self {
-            responder: Responder::CLUSTER,
-            uniform: bytemuck::bytes_of(&uniform).to_vec(),
-            vertices: points.iter().map(|(position, strength)| vec4_of(*position, *strength)).collect(),
-        }
+    fn cluster(points: Vec<[f32; 4]>, uniform: ClusterLight) -> Self {
+        let uniform = ClusterLight { count: u32_of(points.len()), ..uniform };
+        let uniform = bytemuck::bytes_of(&uniform).to_vec();
+        Self { responder: Responder::CLUSTER, uniform, vertices: points }
     }
 }
 

@@ -99,6 +99,7 @@ impl Source {
     }
 
     /// The whole text.
+    #[cfg(test)]
     pub(crate) fn text(&self) -> &str {
         &self.text
     }

@@ -18,7 +18,7 @@ fn check(source: &Source) -> naga::Module {
         panic!("{file}:{line}: {}", error.emit_to_string(source.text()));
     });
     let flags = naga::valid::ValidationFlags::all();
-    let mut validator = naga::valid::Validator::new(flags, naga::valid::Capabilities::empty());
+    let mut validator = naga::valid::Validator::new(flags, naga::valid::Capabilities::default());
     if let Err(error) = validator.validate(&module) {
         let line = error.location(source.text()).map_or(0, |location| location.line_number as usize);
         let (file, line) = source.place(line);

@@ -33,12 +33,10 @@ macro_rules! functions {
 }
 
 functions! {
-    /// Row: vector to the light, normal.
-    POINT_IRRADIANCE = "point_irradiance" in &[Module::POINT], "(v(0), v(3))";
-    /// Row: vector to the light, normal, mirror direction, exponent.
-    POINT_PHONG = "point_phong" in &[Module::POINT], "(v(0), v(3), v(6), f(9))";
-    /// Row: unit direction to the light, normal, mirror direction, exponent.
-    DIRECTIONAL_PHONG = "directional_phong" in &[Module::POINT], "(v(0), v(3), v(6), f(9))";
+    /// Row: vector to the light, intensity, falloff, normal, mirror direction, exponent.
+    FALLOFF_IRRADIANCE = "falloff_response" in &[Module::POINT], "(v(0), f(3), f(4), v(5), v(8), f(11)).irradiance";
+    /// Row: vector to the light, intensity, falloff, normal, mirror direction, exponent.
+    FALLOFF_SPECULAR = "falloff_response" in &[Module::POINT], "(v(0), f(3), f(4), v(5), v(8), f(11)).specular";
     /// Row: y, x. Its twin is `f64::atan2`.
     ARCTANGENT = "arctangent" in &[], "(f(0), f(1))";
 }

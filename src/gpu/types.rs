@@ -3,14 +3,7 @@
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec3, Vec3};
 
-/// A structure that WGSL knows under the same name, with the same fields.
-pub(crate) trait GpuStruct: Pod {
-    /// Name in WGSL.
-    const NAME: &'static str;
-    /// Fields and their offsets in bytes; `pad` fields are WGSL's implicit padding.
-    const FIELDS: &'static [(&'static str, usize)];
-}
-
+/// Structures that WGSL knows under the same names, with the same fields; `pad` fields are WGSL's implicit padding.
 macro_rules! gpu_structs {
     ($($(#[$doc:meta])* $name:ident { $($(#[$field_doc:meta])* $field:ident: $ty:ty,)* })*) => {
         $(
@@ -20,18 +13,16 @@ macro_rules! gpu_structs {
             pub(crate) struct $name {
                 $($(#[$field_doc])* pub(crate) $field: $ty,)*
             }
-
-            impl GpuStruct for $name {
-                const NAME: &'static str = stringify!($name);
-                const FIELDS: &'static [(&'static str, usize)] =
-                    &[$((stringify!($field), std::mem::offset_of!($name, $field))),*];
-            }
         )*
 
         /// Name, size and fields of every structure.
         #[cfg(test)]
         pub(crate) const LAYOUTS: &[(&str, usize, &[(&str, usize)])] =
-            &[$(($name::NAME, size_of::<$name>(), $name::FIELDS)),*];
+            &[$((
+                stringify!($name),
+                size_of::<$name>(),
+                &[$((stringify!($field), std::mem::offset_of!($name, $field))),*],
+            )),*];
     };
 }
 

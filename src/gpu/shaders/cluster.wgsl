@@ -22,19 +22,18 @@ fn cluster_respond(at: Shading) -> Response {
     var sum = Response(0.0, 0.0);
     for (var i = 0u; i < cluster_light.count; i++) {
         let to_light = vertices[i].xyz - at.p;
-        let square = dot(to_light, to_light);
-        let l = to_light * inverseSqrt(max(square, 1e-37));
-        let illuminance = vertices[i].w * emission_cosine(-dot(cluster_light.normal, l))
-            * select(power(square, -0.5 * cluster_light.falloff), 0.0, square == 0.0);
-        sum.irradiance += illuminance * max(dot(at.n, l), 0.0);
-        sum.specular += illuminance * directional_phong(l, at.n, at.r, m);
+        let intensity = vertices[i].w * emission_cosine(to_light);
+        let response = falloff_response(to_light, intensity, cluster_light.falloff, at.n, at.r, m);
+        sum.irradiance += response.irradiance;
+        sum.specular += response.specular;
     }
     return sum;
 }
 
-fn emission_cosine(cosine: f32) -> f32 {
+fn emission_cosine(to_light: vec3f) -> f32 {
     if cluster_light.emission == ISOTROPIC {
         return 1.0;
     }
+    let cosine = -dot(cluster_light.normal, normalize(to_light + vec3f(0.0, 0.0, 1e-37)));
     return select(max(cosine, 0.0), abs(cosine), cluster_light.emission == TWO_SIDED);
 }

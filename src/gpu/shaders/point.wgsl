@@ -10,39 +10,40 @@ struct DirectionalLight {
     unused: u32,
 }
 
+// Nearer than 1e-15 m a point touches the light, which then adds nothing: 1/r³ stays inside the range of f32.
+// The core's own distance is smaller.
+const CONTACT_SQUARED = 1e-30;
+
 @group(1) @binding(0) var<uniform> point_light: PointLight;
 @group(1) @binding(0) var<uniform> directional_light: DirectionalLight;
 
 fn point_respond(at: Shading) -> Response {
-    let m = lobes[at.lobe].exponent;
-    let to_light = point_light.position - at.p;
-    return Response(point_irradiance(to_light, at.n), point_phong(to_light, at.n, at.r, m));
+    return falloff_response(point_light.position - at.p, 1.0, 2.0, at.n, at.r, lobes[at.lobe].exponent);
 }
 
 fn directional_respond(at: Shading) -> Response {
-    let l = directional_light.to_light;
-    return Response(max(dot(at.n, l), 0.0), directional_phong(l, at.n, at.r, lobes[at.lobe].exponent));
+    return direction_response(directional_light.to_light, 1.0, at.n, at.r, lobes[at.lobe].exponent);
 }
 
-// Irradiance from unit intensity at `to_light` from p: cos/r², 0 at the light itself.
-fn point_irradiance(to_light: vec3f, n: vec3f) -> f32 {
+// Response to a point light of `intensity` at `to_light` from the point, that falls off as 1/dⁿ.
+fn falloff_response(to_light: vec3f, intensity: f32, falloff: f32, n: vec3f, r: vec3f, m: f32) -> Response {
     let square = dot(to_light, to_light);
-    if square == 0.0 {
-        return 0.0;
+    if square < CONTACT_SQUARED {
+        return Response(0.0, 0.0);
     }
-    return max(dot(n, to_light), 0.0) / (square * sqrt(square));
+    let inverse = inverseSqrt(square);
+    var attenuation = inverse * inverse;
+    if falloff != 2.0 {
+        attenuation = power(inverse, falloff);
+    }
+    return direction_response(to_light * inverse, intensity * attenuation, n, r, m);
 }
 
-// Specular response to unit intensity at `to_light` from p.
-fn point_phong(to_light: vec3f, n: vec3f, r: vec3f, m: f32) -> f32 {
-    let square = dot(to_light, to_light);
-    if square == 0.0 {
-        return 0.0;
+// Response to parallel light of `illuminance` from the unit direction `w`.
+fn direction_response(w: vec3f, illuminance: f32, n: vec3f, r: vec3f, m: f32) -> Response {
+    let cos_n = dot(n, w);
+    if cos_n <= 0.0 {
+        return Response(0.0, 0.0);
     }
-    return directional_phong(to_light * inverseSqrt(square), n, r, m) / square;
-}
-
-// Specular response to unit illuminance from the unit direction `l`.
-fn directional_phong(l: vec3f, n: vec3f, r: vec3f, m: f32) -> f32 {
-    return select(0.0, lobe_normalization(m) * power(dot(r, l), m), dot(n, l) > 0.0);
+    return Response(illuminance * cos_n, illuminance * lobe_normalization(m) * power(dot(r, w), m));
 }

@@ -1,16 +1,15 @@
-//! The GPU preview: what it redoes, and that it shows what the CPU computes.
-//!
-//! These tests need an adapter, software or not, and fail without one.
+//! What the preview redoes.
 
 use glam::{DVec2, DVec3};
-use softbox::gpu::{Context, Pixels, Preview, Stats, View};
+use softbox::gpu::{Pixels, Preview, Stats, View};
 use softbox::light::{Light, Line, LineEmission, Point, Polygon, Quantity, QuantityKind, Shape, Tint};
 use softbox::scene::{Camera, Scene};
 use softbox::shading::Method;
 use softbox::surface::{self, Material, Surface};
 
+use crate::CONTEXT;
+
 struct Bench {
-    context: Context,
     preview: Preview,
     scene: Scene,
     view: View,
@@ -18,8 +17,7 @@ struct Bench {
 
 impl Bench {
     fn new(scene: Scene) -> Self {
-        let context = Context::new().expect("these tests need a graphics adapter");
-        let preview = Preview::new(&context.device, &context.queue);
+        let preview = Preview::new(&CONTEXT.device, &CONTEXT.queue);
         let view = View {
             camera: scene.camera,
             size: [64, 48],
@@ -28,16 +26,16 @@ impl Bench {
             show_emitters: false,
             refine: false,
         };
-        Self { context, preview, scene, view }
+        Self { preview, scene, view }
     }
 
     fn render(&mut self) -> Stats {
-        self.preview.render(&self.context.device, &self.context.queue, &self.scene, &self.view);
+        self.preview.render(&CONTEXT.device, &CONTEXT.queue, &self.scene, &self.view);
         self.preview.stats()
     }
 
     fn pixels(&self) -> Pixels {
-        self.preview.read_back(&self.context.device, &self.context.queue).expect("the picture comes back")
+        self.preview.read_back(&CONTEXT.device, &CONTEXT.queue).expect("the picture comes back")
     }
 
     /// What one more rendering costs.

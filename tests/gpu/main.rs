@@ -1,0 +1,14 @@
+//! The GPU preview: what it redoes, what its functions compute, and that it shows what the CPU computes.
+//!
+//! These tests need an adapter, software or not, and fail without one.
+
+mod tracking;
+mod twins;
+
+use std::sync::LazyLock;
+
+use softbox::gpu::Context;
+
+/// One device for all tests.
+static CONTEXT: LazyLock<Context> =
+    LazyLock::new(|| Context::new().unwrap_or_else(|error| panic!("these tests cannot run without one: {error}")));
