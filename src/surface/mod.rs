@@ -1,9 +1,12 @@
 //! Primitives, their materials, and rays against them.
 
+mod intersect;
 mod material;
+mod ray;
 mod shape;
 
 pub use material::Material;
+pub use ray::{Bounds, Hit, Placed};
 pub use shape::Shape;
 
 use glam::{DAffine3, DMat3, DVec3};

@@ -1,0 +1,291 @@
+//! Surfaces placed in the world, and rays against them.
+
+use glam::{DAffine3, DMat3, DVec3};
+
+use super::intersect::intersect;
+use super::{Shape, Surface};
+
+/// A surface placed in the world, prepared for rays.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Placed {
+    shape: Shape,
+    world_from_surface: DAffine3,
+    surface_from_world: DAffine3,
+    world_from_normal: DMat3,
+}
+
+/// Where a ray meets a surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hit {
+    /// Distance from the origin, in lengths of the direction.
+    pub t: f64,
+    /// The point, on the surface to rounding.
+    pub p: DVec3,
+    /// Unit normal: outward on a solid, along the local +Z on a plane, square or disk.
+    pub n: DVec3,
+}
+
+/// A box along the world's axes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bounds {
+    /// Least coordinates.
+    pub min: DVec3,
+    /// Greatest coordinates.
+    pub max: DVec3,
+}
+
+impl Placed {
+    /// The surface in the world.
+    pub fn new(surface: &Surface) -> Self {
+        let world_from_surface = surface.world_from_surface();
+        let surface_from_world = world_from_surface.inverse();
+        Self {
+            shape: surface.shape.clone(),
+            world_from_surface,
+            surface_from_world,
+            world_from_normal: surface_from_world.matrix3.transpose(),
+        }
+    }
+
+    /// The nearest hit in front of `origin`.
+    ///
+    /// The ray is taken to the surface's own frame, where the shape is plain; normals come back by the inverse
+    /// transpose, so that non-uniform and negative scales hold. **Domain:** a flat face on which the origin lies is
+    /// not hit, a round one only again at its far side: see [`super::intersect`]. A scale with a zero is never hit.
+    pub fn intersect(&self, origin: DVec3, direction: DVec3) -> Option<Hit> {
+        let o = self.surface_from_world.transform_point3(origin);
+        let d = self.surface_from_world.transform_vector3(direction);
+        let hit = intersect(&self.shape, o, d)?;
+        Some(Hit {
+            t: hit.t,
+            p: self.world_from_surface.transform_point3(hit.p),
+            n: (self.world_from_normal * hit.n).try_normalize()?,
+        })
+    }
+
+    /// The smallest box about a box about the shape; none for the infinite plane.
+    pub fn bounds(&self) -> Option<Bounds> {
+        let half = half_extent(&self.shape)?;
+        let m = self.world_from_surface.matrix3;
+        let reach = m.x_axis.abs() * half.x + m.y_axis.abs() * half.y + m.z_axis.abs() * half.z;
+        let center = self.world_from_surface.translation;
+        Some(Bounds { min: center - reach, max: center + reach })
+    }
+}
+
+/// Half the edges of the box about a shape in its own frame; none for the infinite plane.
+fn half_extent(shape: &Shape) -> Option<DVec3> {
+    Some(match *shape {
+        Shape::Plane {} => return None,
+        Shape::Sphere { radius } => DVec3::splat(radius),
+        Shape::Box { size } => 0.5 * size,
+        Shape::Square { size } => 0.5 * size.extend(0.0),
+        Shape::Disk { radius } => DVec3::new(radius, radius, 0.0),
+        Shape::Cylinder { radius, height } | Shape::Cone { radius, height } => DVec3::new(radius, radius, 0.5 * height),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec2;
+    use proptest::prelude::*;
+
+    use super::*;
+
+    fn surface(shape: Shape, position: DVec3, rotation_deg: DVec3, scale: DVec3) -> Surface {
+        Surface { name: "s".to_owned(), material: "m".to_owned(), position, rotation_deg, scale, shape }
+    }
+
+    fn plain(shape: Shape) -> Placed {
+        Placed::new(&surface(shape, DVec3::ZERO, DVec3::ZERO, DVec3::ONE))
+    }
+
+    /// Positive outside, negative inside, in the shape's own frame; solids only.
+    fn implicit(shape: &Shape, p: DVec3) -> f64 {
+        let across = DVec2::new(p.x, p.y).length();
+        match *shape {
+            Shape::Sphere { radius } => p.length() - radius,
+            Shape::Box { size } => (p.abs() - 0.5 * size).max_element(),
+            Shape::Cylinder { radius, height } => (across - radius).max(p.z.abs() - 0.5 * height),
+            Shape::Cone { radius, height } => {
+                (across - radius * (0.5 * height - p.z) / height).max(p.z.abs() - 0.5 * height)
+            }
+            Shape::Plane {} | Shape::Square { .. } | Shape::Disk { .. } => f64::NAN,
+        }
+    }
+
+    fn solids() -> [Shape; 4] {
+        [
+            Shape::Sphere { radius: 0.7 },
+            Shape::Box { size: DVec3::new(1.0, 1.6, 0.8) },
+            Shape::Cylinder { radius: 0.5, height: 1.4 },
+            Shape::Cone { radius: 0.8, height: 1.3 },
+        ]
+    }
+
+    fn flats() -> [Shape; 3] {
+        [Shape::Plane {}, Shape::Square { size: DVec2::new(2.0, 1.0) }, Shape::Disk { radius: 0.9 }]
+    }
+
+    /// First change of sign of the implicit function along the ray, by steps and bisection.
+    fn march(placed: &Placed, origin: DVec3, direction: DVec3) -> Option<f64> {
+        const STEPS: u32 = 20_000;
+        const FAR: f64 = 20.0;
+        let value =
+            |t: f64| implicit(&placed.shape, placed.surface_from_world.transform_point3(origin + t * direction));
+        let outside = value(0.0) > 0.0;
+        let step = FAR / f64::from(STEPS);
+        let i = (1..=STEPS).find(|&i| (value(f64::from(i) * step) > 0.0) != outside)?;
+        let (mut low, mut high) = (f64::from(i - 1) * step, f64::from(i) * step);
+        for _ in 0..60 {
+            let middle = 0.5 * (low + high);
+            if (value(middle) > 0.0) == outside { low = middle } else { high = middle }
+        }
+        Some(0.5 * (low + high))
+    }
+
+    fn vector(range: std::ops::Range<f64>) -> impl Strategy<Value = DVec3> {
+        [range.clone(), range.clone(), range].prop_map(DVec3::from_array)
+    }
+
+    fn scale() -> impl Strategy<Value = DVec3> {
+        vector(0.4..2.0).prop_flat_map(|s| {
+            [any::<bool>(), any::<bool>(), any::<bool>()]
+                .prop_map(move |flip| s * DVec3::from_array(flip.map(|f| if f { -1.0 } else { 1.0 })))
+        })
+    }
+
+    proptest! {
+        #[test]
+        fn a_hit_on_a_solid_agrees_with_marching_lies_on_it_and_faces_outward(
+            solid in 0usize..4, position in vector(-1.0..1.0), rotation in vector(-180.0..180.0), scale in scale(),
+            origin in vector(-3.0..3.0), aim in vector(-0.6..0.6),
+        ) {
+            let shape = solids()[solid].clone();
+            let placed = Placed::new(&surface(shape.clone(), position, rotation, scale));
+            let direction = (position + aim - origin).normalize();
+            let (hit, marched) = (placed.intersect(origin, direction), march(&placed, origin, direction));
+            match (hit, marched) {
+                (Some(hit), Some(t)) => {
+                    prop_assert!((hit.t - t).abs() < 1e-9, "{} against {t}", hit.t);
+                    prop_assert!((origin + hit.t * direction - hit.p).length() < 1e-12, "{hit:?}");
+                    prop_assert!((hit.n.length() - 1.0).abs() < 1e-14, "{hit:?}");
+                    let local = placed.surface_from_world.transform_point3(hit.p);
+                    prop_assert!(implicit(&shape, local).abs() < 1e-13, "{hit:?}");
+                    let entering = implicit(&shape, placed.surface_from_world.transform_point3(origin)) > 0.0;
+                    prop_assert!((hit.n.dot(direction) < 0.0) == entering, "{hit:?}");
+                }
+                (None, None) => {}
+                // A chord shorter than a step is jumped over by marching.
+                (Some(hit), None) => {
+                    let after = placed.intersect(hit.p, direction).map_or(0.0, |exit| exit.t);
+                    prop_assert!(after < 2e-3, "missed a chord of {after}");
+                }
+                (None, Some(t)) => prop_assert!(false, "marching found {t}"),
+            }
+        }
+
+        #[test]
+        fn a_hit_on_a_flat_shape_lies_within_it(
+            flat in 0usize..3, position in vector(-1.0..1.0), rotation in vector(-180.0..180.0), scale in scale(),
+            origin in vector(-3.0..3.0), aim in vector(-1.5..1.5),
+        ) {
+            let shape = flats()[flat].clone();
+            let placed = Placed::new(&surface(shape.clone(), position, rotation, scale));
+            let (through, normal) = (position, placed.world_from_normal * DVec3::Z);
+            let direction = (position + aim - origin).normalize();
+            let t = (through - origin).dot(normal) / direction.dot(normal);
+            let local = placed.surface_from_world.transform_point3(origin + t * direction);
+            let within = match shape {
+                Shape::Square { size } => local.x.abs() < 0.5 * size.x && local.y.abs() < 0.5 * size.y,
+                Shape::Disk { radius } => local.x.hypot(local.y) < radius,
+                _ => true,
+            };
+            let hit = placed.intersect(origin, direction);
+            prop_assert_eq!(hit.is_some(), t > 0.0 && within, "{:?} at {}", local, t);
+            if let Some(hit) = hit {
+                prop_assert!((hit.t - t).abs() < 1e-9 * t.max(1.0), "{} against {t}", hit.t);
+                prop_assert!(hit.n.cross(normal.normalize()).length() < 1e-12, "{hit:?}");
+            }
+        }
+
+        #[test]
+        fn leaving_a_surface_does_not_hit_where_it_starts(
+            solid in 0usize..4, rotation in vector(-180.0..180.0), scale in scale(),
+            origin in vector(-3.0..3.0), aim in vector(-0.4..0.4), along in vector(-1.0..1.0),
+        ) {
+            let placed = Placed::new(&surface(solids()[solid].clone(), DVec3::ONE, rotation, scale));
+            let direction = (DVec3::ONE + aim - origin).normalize();
+            if let Some(hit) = placed.intersect(origin, direction) {
+                let outward = if hit.n.dot(direction) < 0.0 { hit.n } else { -hit.n };
+                let tangent = along.reject_from_normalized(hit.n);
+                let again = placed.intersect(hit.p, outward + 1e-3 * tangent);
+                let outside = hit.n.dot(direction) < 0.0;
+                prop_assert!(!outside || again.is_none(), "{again:?} from {hit:?}");
+                let grazing = placed.intersect(hit.p, tangent);
+                prop_assert!(!outside || grazing.is_none_or(|g| g.t > 1e-10), "{grazing:?} from {hit:?}");
+            }
+        }
+
+        #[test]
+        fn bounds_hold_every_hit(
+            solid in 0usize..4, rotation in vector(-180.0..180.0), scale in scale(),
+            origin in vector(-3.0..3.0), aim in vector(-0.6..0.6),
+        ) {
+            let placed = Placed::new(&surface(solids()[solid].clone(), DVec3::ZERO, rotation, scale));
+            let bounds = placed.bounds().unwrap();
+            if let Some(hit) = placed.intersect(origin, aim - origin) {
+                let slack = DVec3::splat(1e-12);
+                prop_assert!(hit.p.cmpge(bounds.min - slack).all() && hit.p.cmple(bounds.max + slack).all(), "{hit:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn known_hits() {
+        let down = |x: f64, y: f64| (DVec3::new(x, y, 5.0), DVec3::NEG_Z);
+        let cases = [
+            (Shape::Plane {}, down(3.0, 4.0), 5.0, DVec3::Z),
+            (Shape::Sphere { radius: 1.0 }, down(0.0, 0.0), 4.0, DVec3::Z),
+            (Shape::Box { size: DVec3::splat(2.0) }, down(0.5, 0.5), 4.0, DVec3::Z),
+            (Shape::Square { size: DVec2::splat(2.0) }, down(0.9, 0.9), 5.0, DVec3::Z),
+            (Shape::Disk { radius: 1.0 }, down(0.6, 0.6), 5.0, DVec3::Z),
+            (Shape::Cylinder { radius: 1.0, height: 2.0 }, down(0.6, 0.6), 4.0, DVec3::Z),
+            (Shape::Cone { radius: 1.0, height: 2.0 }, down(0.5, 0.0), 5.0, DVec3::new(2.0, 0.0, 1.0).normalize()),
+            (Shape::Cone { radius: 1.0, height: 2.0 }, down(0.0, 0.0), 4.0, DVec3::Z),
+        ];
+        for (shape, (origin, direction), t, n) in cases {
+            let hit = plain(shape.clone()).intersect(origin, direction).unwrap();
+            assert!((hit.t - t).abs() < 1e-14 && (hit.n - n).length() < 1e-14, "{shape:?}: {hit:?}");
+        }
+    }
+
+    #[test]
+    fn from_inside_the_far_wall_is_hit() {
+        for shape in solids() {
+            let hit = plain(shape.clone()).intersect(DVec3::ZERO, DVec3::NEG_Z).unwrap();
+            assert!(hit.n == DVec3::NEG_Z && hit.t > 0.0, "{shape:?}: {hit:?}");
+        }
+    }
+
+    #[test]
+    fn the_infinite_plane_is_not_hit_along_itself_or_from_itself() {
+        let plane = plain(Shape::Plane {});
+        for (origin, direction) in [
+            (DVec3::new(1.0, 2.0, 0.0), DVec3::X),
+            (DVec3::new(1.0, 2.0, 0.0), DVec3::Z),
+            (DVec3::new(1.0, 2.0, 1e-16), DVec3::new(1.0, 0.0, -1e-17)),
+            (DVec3::new(1.0, 2.0, 1.0), DVec3::X),
+        ] {
+            assert_eq!(plane.intersect(origin, direction), None, "{origin} along {direction}");
+        }
+    }
+
+    #[test]
+    fn a_flattened_surface_is_never_hit() {
+        for shape in solids().into_iter().chain(flats()) {
+            let flat = Placed::new(&surface(shape.clone(), DVec3::ZERO, DVec3::ZERO, DVec3::new(1.0, 0.0, 1.0)));
+            assert_eq!(flat.intersect(DVec3::new(0.1, 0.0, 5.0), DVec3::NEG_Z), None, "{shape:?}");
+        }
+    }
+}
