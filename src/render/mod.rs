@@ -1,1 +1,174 @@
-//! CPU pictures.
+//! CPU pictures: what each ray of a camera sees, over all cores.
+//!
+//! Radiance is linear, in cd/m² of linear Rec. 709 RGB. The same scene and settings give the same picture, whatever
+//! the number of cores.
+
+mod choice;
+mod emitters;
+mod film;
+mod geometry;
+mod lighting;
+mod tone;
+
+pub use choice::MethodChoice;
+pub use emitters::{PlacedEmitter, intersect_emitter};
+pub use film::Film;
+pub use geometry::{Geometry, Seen, Thing};
+pub use lighting::{Lighting, Outgoing, Reflection};
+pub use tone::{encode_srgb, expose, pbr_neutral};
+
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+
+use glam::{DVec2, DVec3};
+use rayon::prelude::*;
+
+use crate::scene::{Camera, Scene};
+use crate::shading::ShadingPoint;
+
+/// Edge of the square of pixels that is one piece of work.
+const TILE: u32 = 32;
+
+/// How to render.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Settings {
+    /// Width and height in pixels.
+    pub size: [u32; 2],
+    /// How lights are shaded.
+    pub choice: MethodChoice,
+    /// Rays a pixel, at least 1; a single one goes through the pixel's centre.
+    pub samples: u32,
+}
+
+/// How far a picture is, and whether to stop; shared between threads.
+#[derive(Debug, Default)]
+pub struct Progress {
+    done: AtomicU64,
+    cancelled: AtomicBool,
+}
+
+impl Progress {
+    /// Pixels finished.
+    pub fn done(&self) -> u64 {
+        self.done.load(Ordering::Relaxed)
+    }
+
+    /// Ask for an early end.
+    pub fn cancel(&self) {
+        self.cancelled.store(true, Ordering::Relaxed);
+    }
+
+    /// Whether an early end was asked for.
+    pub fn is_cancelled(&self) -> bool {
+        self.cancelled.load(Ordering::Relaxed)
+    }
+}
+
+/// The picture of a scene; none when cancelled.
+pub fn render(scene: &Scene, settings: &Settings, progress: &Progress) -> Option<Film> {
+    let view = View {
+        geometry: Geometry::new(scene),
+        lighting: Lighting::new(scene, settings.choice),
+        reflections: scene.materials.iter().map(Reflection::new).collect(),
+        camera: scene.camera,
+        size: DVec2::from(settings.size.map(f64::from)),
+        offsets: pixel_offsets(settings.samples),
+        exposure_ev: scene.display.exposure_ev,
+    };
+    let [width, height] = settings.size;
+    let columns = width.div_ceil(TILE);
+    let tiles: Option<Vec<_>> = (0..columns * height.div_ceil(TILE))
+        .into_par_iter()
+        .map(|tile| {
+            let (x, y) = (tile % columns * TILE, tile / columns * TILE);
+            let pixels = view.tile(x..(x + TILE).min(width), y..(y + TILE).min(height), progress)?;
+            Some((x, y, pixels))
+        })
+        .collect();
+    let mut film = Film::new(settings.size);
+    for (x, y, pixels) in tiles? {
+        film.put_tile([x, y], TILE.min(width - x), &pixels);
+    }
+    Some(film)
+}
+
+/// One pixel: radiance, and what a display shows of it.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+struct Pixel {
+    radiance: DVec3,
+    display: DVec3,
+}
+
+/// Everything that a ray needs to know.
+struct View {
+    geometry: Geometry,
+    lighting: Lighting,
+    reflections: Vec<Reflection>,
+    camera: Camera,
+    size: DVec2,
+    offsets: Vec<DVec2>,
+    exposure_ev: f64,
+}
+
+impl View {
+    fn tile(&self, xs: std::ops::Range<u32>, ys: std::ops::Range<u32>, progress: &Progress) -> Option<Vec<Pixel>> {
+        let mut pixels = Vec::with_capacity(xs.len() * ys.len());
+        for y in ys {
+            for x in xs.clone() {
+                if progress.is_cancelled() {
+                    return None;
+                }
+                pixels.push(self.pixel(DVec2::new(f64::from(x), f64::from(y))));
+            }
+        }
+        progress.done.fetch_add(pixels.len() as u64, Ordering::Relaxed);
+        Some(pixels)
+    }
+
+    /// The mean over a pixel's rays. Each is exposed and tone-mapped before it is averaged, so that the edge of
+    /// something far brighter than white stays smooth.
+    fn pixel(&self, corner: DVec2) -> Pixel {
+        let mut sum = Pixel::default();
+        for &offset in &self.offsets {
+            let at = corner + offset;
+            let direction = self.camera.ray_direction(at.x, at.y, self.size.x, self.size.y);
+            let radiance = self.radiance(self.camera.eye, direction);
+            sum.radiance += radiance;
+            sum.display += pbr_neutral(expose(radiance, self.exposure_ev));
+        }
+        let share = (self.offsets.len() as f64).recip();
+        Pixel { radiance: share * sum.radiance, display: share * sum.display }
+    }
+
+    /// L_out towards the origin of a ray, cd/m².
+    fn radiance(&self, origin: DVec3, direction: DVec3) -> DVec3 {
+        let Some(seen) = self.geometry.nearest(origin, direction) else { return DVec3::ZERO };
+        match seen.thing {
+            Thing::Light(light) => self.lighting.weight(light),
+            Thing::Surface(surface) => {
+                let Some(reflection) = self.geometry.material(surface).and_then(|m| self.reflections.get(m)) else {
+                    return DVec3::ZERO;
+                };
+                let v = -direction;
+                let n = if seen.n.dot(v) < 0.0 { -seen.n } else { seen.n };
+                self.lighting.outgoing(reflection, &ShadingPoint { p: seen.p, n, v }).radiance
+            }
+        }
+    }
+}
+
+/// Where in a pixel its rays go: the Hammersley set, one in each of `samples` columns and, for powers of two, rows.
+fn pixel_offsets(samples: u32) -> Vec<DVec2> {
+    let samples = samples.max(1);
+    let half = 0.5 / f64::from(samples);
+    (0..samples)
+        .map(|i| {
+            let column = f64::from(i) / f64::from(samples);
+            // The radical inverse in base 2 lies on multiples of 1/samples when that is a power of two.
+            let row = f64::from(i.reverse_bits()) / 2.0_f64.powi(32);
+            DVec2::new(column + half, row + half)
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,135 @@
+//! Lights as things that are seen.
+//!
+//! Polygons and spheres are surfaces of their own luminance. A one-sided polygon is seen from its lit side only, and
+//! a sphere from outside: from behind and within, where they do not emit, they hide nothing. Lines, points and
+//! directional lights have no area, so that pictures of radiance do not show them.
+
+use glam::{DVec2, DVec3};
+
+use crate::light::{Emitter, PolygonEmitter, SphereEmitter};
+
+/// An emitter with an area, prepared for rays.
+#[derive(Clone, Debug, PartialEq)]
+pub enum PlacedEmitter {
+    /// A polygon in its own plane.
+    Polygon {
+        /// A point of the plane.
+        origin: DVec3,
+        /// Unit axes of the plane, and the lit side's normal.
+        axes: [DVec3; 3],
+        /// Corners in the plane.
+        vertices: Vec<DVec2>,
+        /// Seen from both sides.
+        two_sided: bool,
+    },
+    /// A sphere.
+    Sphere(SphereEmitter),
+}
+
+impl PlacedEmitter {
+    /// The emitter for rays; none where its shape has no area.
+    pub fn new(emitter: &Emitter) -> Option<Self> {
+        match emitter {
+            Emitter::Polygon(polygon) => Self::polygon(polygon),
+            Emitter::Sphere(sphere) => Some(Self::Sphere(*sphere)),
+            Emitter::Line(_) | Emitter::Point(_) | Emitter::Directional(_) => None,
+        }
+    }
+
+    fn polygon(polygon: &PolygonEmitter) -> Option<Self> {
+        let origin = *polygon.vertices.first()?;
+        let (x, y) = polygon.normal.any_orthonormal_pair();
+        let vertices = polygon.vertices.iter().map(|v| DVec2::new((v - origin).dot(x), (v - origin).dot(y))).collect();
+        Some(Self::Polygon { origin, axes: [x, y, polygon.normal], vertices, two_sided: polygon.two_sided })
+    }
+}
+
+/// Distance to an emitter's lit side, in lengths of the direction.
+pub fn intersect_emitter(emitter: &PlacedEmitter, origin: DVec3, direction: DVec3) -> Option<f64> {
+    match emitter {
+        PlacedEmitter::Polygon { origin: corner, axes: [x, y, normal], vertices, two_sided } => {
+            let from_corner = origin - corner;
+            let towards = direction.dot(*normal);
+            if towards >= 0.0 && !two_sided {
+                return None;
+            }
+            let t = -from_corner.dot(*normal) / towards;
+            let p = from_corner + t * direction;
+            (t > 0.0 && t.is_finite() && contains(vertices, DVec2::new(p.dot(*x), p.dot(*y)))).then_some(t)
+        }
+        PlacedEmitter::Sphere(sphere) => intersect_sphere(sphere, origin, direction),
+    }
+}
+
+/// Distance to a sphere from outside.
+fn intersect_sphere(sphere: &SphereEmitter, origin: DVec3, direction: DVec3) -> Option<f64> {
+    let from_center = origin - sphere.center;
+    let squared = direction.length_squared();
+    let middle = -from_center.dot(direction) / squared;
+    let nearest = (from_center + middle * direction).length();
+    let half_chord_squared = (sphere.radius - nearest) * (sphere.radius + nearest) / squared;
+    let t = middle - half_chord_squared.sqrt();
+    (t > 0.0).then_some(t)
+}
+
+/// Whether a point lies in a simple polygon: an odd number of edges to its right, each edge with its lower end.
+fn contains(vertices: &[DVec2], p: DVec2) -> bool {
+    let Some(mut a) = vertices.last().copied() else { return false };
+    let mut inside = false;
+    for &b in vertices {
+        if (a.y > p.y) != (b.y > p.y) && ((b - a).perp_dot(p - a) > 0.0) == (b.y > a.y) {
+            inside = !inside;
+        }
+        a = b;
+    }
+    inside
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn emitter(two_sided: bool) -> PlacedEmitter {
+        // An L, lit downwards, at z = 2.
+        let corners = [[0.0, 0.0], [0.0, 2.0], [1.0, 2.0], [1.0, 1.0], [2.0, 1.0], [2.0, 0.0]];
+        let vertices = corners.map(|[x, y]| DVec3::new(x, y, 2.0)).to_vec();
+        PlacedEmitter::new(&Emitter::Polygon(PolygonEmitter { vertices, normal: DVec3::NEG_Z, two_sided })).unwrap()
+    }
+
+    #[test]
+    fn a_polygon_is_seen_inside_its_outline_only() {
+        for (x, y, seen) in
+            [(0.5, 0.5, true), (1.5, 0.5, true), (0.5, 1.5, true), (1.5, 1.5, false), (-0.1, 0.5, false)]
+        {
+            let t = intersect_emitter(&emitter(false), DVec3::new(x, y, 0.0), DVec3::Z);
+            assert_eq!(t, seen.then_some(2.0), "at {x}, {y}");
+        }
+    }
+
+    #[test]
+    fn the_unlit_side_hides_nothing_unless_two_sided() {
+        let above = DVec3::new(0.5, 0.5, 5.0);
+        assert_eq!(intersect_emitter(&emitter(false), above, DVec3::NEG_Z), None, "unlit side");
+        assert_eq!(intersect_emitter(&emitter(true), above, DVec3::NEG_Z), Some(3.0), "two-sided");
+    }
+
+    #[test]
+    fn a_polygon_behind_or_edge_on_is_not_seen() {
+        assert_eq!(intersect_emitter(&emitter(true), DVec3::new(0.5, 0.5, 3.0), DVec3::Z), None, "behind");
+        assert_eq!(intersect_emitter(&emitter(true), DVec3::new(-1.0, 0.5, 2.0), DVec3::X), None, "edge on");
+    }
+
+    #[test]
+    fn a_sphere_is_seen_from_outside_only() {
+        let sphere = PlacedEmitter::Sphere(SphereEmitter { center: DVec3::new(0.0, 0.0, 3.0), radius: 1.0 });
+        for (origin, direction, t) in [
+            (DVec3::ZERO, DVec3::Z, Some(2.0)),
+            (DVec3::ZERO, 2.0 * DVec3::Z, Some(1.0)),
+            (DVec3::new(0.0, 0.0, 3.0), DVec3::Z, None),
+            (DVec3::ZERO, DVec3::NEG_Z, None),
+            (DVec3::new(1.1, 0.0, 0.0), DVec3::Z, None),
+        ] {
+            assert_eq!(intersect_emitter(&sphere, origin, direction), t, "from {origin} along {direction}");
+        }
+    }
+}

@@ -1,0 +1,77 @@
+//! What of a scene a ray meets first.
+
+use glam::DVec3;
+
+use super::emitters::{PlacedEmitter, intersect_emitter};
+use crate::scene::Scene;
+use crate::surface::Placed;
+
+/// The surfaces of a scene and its visible emitters, prepared for rays.
+#[derive(Clone, Debug)]
+pub struct Geometry {
+    surfaces: Vec<(Placed, Option<usize>)>,
+    emitters: Vec<(usize, PlacedEmitter)>,
+}
+
+/// The nearest thing along a ray.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Seen {
+    /// Distance from the origin, in lengths of the direction.
+    pub t: f64,
+    /// The point.
+    pub p: DVec3,
+    /// Unit normal: outward on a surface, towards the eye on an emitter.
+    pub n: DVec3,
+    /// What is seen.
+    pub thing: Thing,
+}
+
+/// What a ray meets.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Thing {
+    /// The surface of that index in the scene.
+    Surface(usize),
+    /// The light of that index in the scene.
+    Light(usize),
+}
+
+impl Geometry {
+    /// All surfaces of the scene, and those of its lights that have an area and are not muted.
+    pub fn new(scene: &Scene) -> Self {
+        let surfaces = scene.surfaces.iter().map(|surface| {
+            let material = scene.materials.iter().position(|material| material.name == surface.material);
+            (Placed::new(surface), material)
+        });
+        let emitters = scene.lights.iter().enumerate().filter(|(_, light)| !light.muted);
+        Self {
+            surfaces: surfaces.collect(),
+            emitters: emitters.filter_map(|(i, light)| Some((i, PlacedEmitter::new(&light.emitter())?))).collect(),
+        }
+    }
+
+    /// Index of the material of a surface.
+    pub fn material(&self, surface: usize) -> Option<usize> {
+        self.surfaces.get(surface)?.1
+    }
+
+    /// The nearest thing in front of `origin`; of things equally near, a surface, then the first.
+    pub fn nearest(&self, origin: DVec3, direction: DVec3) -> Option<Seen> {
+        let mut nearest: Option<Seen> = None;
+        for (i, (placed, _)) in self.surfaces.iter().enumerate() {
+            if let Some(hit) = placed.intersect(origin, direction)
+                && nearest.is_none_or(|seen| hit.t < seen.t)
+            {
+                nearest = Some(Seen { t: hit.t, p: hit.p, n: hit.n, thing: Thing::Surface(i) });
+            }
+        }
+        for (i, emitter) in &self.emitters {
+            if let Some(t) = intersect_emitter(emitter, origin, direction)
+                && nearest.is_none_or(|seen| t < seen.t)
+            {
+                let thing = Thing::Light(*i);
+                nearest = Some(Seen { t, p: origin + t * direction, n: -direction.normalize_or_zero(), thing });
+            }
+        }
+        nearest
+    }
+}

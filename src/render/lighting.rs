@@ -1,0 +1,77 @@
+//! The lights of a scene, prepared for shading, and what a material makes of them.
+
+use std::f64::consts::FRAC_1_PI;
+
+use glam::DVec3;
+
+use super::MethodChoice;
+use crate::light::Emitter;
+use crate::scene::Scene;
+use crate::shading::{Method, PhongLobe, Response, ShadingPoint, respond};
+use crate::surface::Material;
+
+/// The lights of a scene, each with its method and weight.
+#[derive(Clone, Debug)]
+pub struct Lighting {
+    lights: Vec<Lit>,
+}
+
+#[derive(Clone, Debug)]
+struct Lit {
+    emitter: Emitter,
+    method: Method,
+    weight: DVec3,
+}
+
+/// A material prepared for shading.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Reflection {
+    diffuse: DVec3,
+    specular: DVec3,
+    lobe: PhongLobe,
+}
+
+/// What leaves a point towards the eye, and what reaches it.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Outgoing {
+    /// E, lx.
+    pub irradiance: DVec3,
+    /// L_out, cd/m².
+    pub radiance: DVec3,
+}
+
+impl Lighting {
+    /// All lights of the scene, in its order.
+    pub fn new(scene: &Scene, choice: MethodChoice) -> Self {
+        let lit = scene.lights.iter().map(|light| Lit {
+            emitter: light.emitter(),
+            method: choice.for_shape(&light.shape),
+            weight: light.weight(),
+        });
+        Self { lights: lit.collect() }
+    }
+
+    /// Radiance of a light's own surface, where its shape has one: its weight, as emitters are of unit luminance.
+    pub(super) fn weight(&self, light: usize) -> DVec3 {
+        self.lights.get(light).map_or(DVec3::ZERO, |light| light.weight)
+    }
+
+    /// L_out = Σ weight·(k_d/π·E + k_s·S) over the lights, with their unit responses E and S.
+    pub fn outgoing(&self, reflection: &Reflection, at: &ShadingPoint) -> Outgoing {
+        let mut sum = Outgoing::default();
+        for light in self.lights.iter().filter(|light| light.weight != DVec3::ZERO) {
+            let Response { irradiance, specular } = respond(&light.emitter, light.method, at, &reflection.lobe);
+            sum.irradiance += irradiance * light.weight;
+            sum.radiance +=
+                light.weight * (FRAC_1_PI * irradiance * reflection.diffuse + specular * reflection.specular);
+        }
+        sum
+    }
+}
+
+impl Reflection {
+    /// A material prepared for shading.
+    pub fn new(material: &Material) -> Self {
+        Self { diffuse: material.diffuse, specular: material.specular, lobe: PhongLobe::new(material.exponent) }
+    }
+}

@@ -1,0 +1,121 @@
+use std::f64::consts::{FRAC_1_PI, PI};
+
+use super::*;
+use crate::light::{Directional, Light, Quantity, QuantityKind, Shape as LightShape, Sphere, Tint};
+use crate::surface::{Material, Shape, Surface};
+
+const SIZE: [u32; 2] = [70, 50];
+
+/// A sphere and a plane under a directional light of `illuminance` from above.
+fn furnace(illuminance: f64, diffuse: DVec3) -> Scene {
+    let surface = |name: &str, shape, position| Surface {
+        name: name.to_owned(),
+        material: "m".to_owned(),
+        position,
+        rotation_deg: DVec3::ZERO,
+        scale: DVec3::ONE,
+        shape,
+    };
+    Scene {
+        materials: vec![Material { name: "m".to_owned(), diffuse, specular: DVec3::ZERO, exponent: 1.0 }],
+        surfaces: vec![
+            surface("floor", Shape::Plane {}, DVec3::ZERO),
+            surface("ball", Shape::Sphere { radius: 0.5 }, DVec3::new(0.0, 0.0, 0.5)),
+        ],
+        lights: vec![Light {
+            name: "sun".to_owned(),
+            position: DVec3::ZERO,
+            rotation_deg: DVec3::ZERO,
+            tint: Tint::default(),
+            quantity: Quantity::new(QuantityKind::Illuminance, illuminance),
+            muted: false,
+            shape: LightShape::Directional(Directional {}),
+        }],
+        ..Scene::default()
+    }
+}
+
+fn picture(scene: &Scene, samples: u32) -> Film {
+    let settings = Settings { size: SIZE, choice: MethodChoice::default(), samples };
+    render(scene, &settings, &Progress::default()).unwrap()
+}
+
+#[test]
+fn every_pixel_of_a_lit_ball_and_floor_has_its_known_radiance() {
+    let diffuse = DVec3::new(0.2, 0.5, 0.8);
+    let scene = furnace(1000.0, diffuse);
+    let film = picture(&scene, 1);
+    let geometry = Geometry::new(&scene);
+    let mut seen = [0; 3];
+    for (i, radiance) in film.radiance().iter().enumerate() {
+        let (x, y) = (i % 70, i / 70);
+        let direction = scene.camera.ray_direction(x as f64 + 0.5, y as f64 + 0.5, 70.0, 50.0);
+        let hit = geometry.nearest(scene.camera.eye, direction);
+        let expected = hit.map_or(DVec3::ZERO, |hit| FRAC_1_PI * 1000.0 * hit.n.z.max(0.0) * diffuse);
+        assert!((radiance - expected).length() < 1e-10, "pixel {x}, {y}: {radiance} is not {expected}");
+        seen[hit.map_or(2, |hit| usize::from(hit.thing == Thing::Surface(1)))] += 1;
+    }
+    assert!(seen.iter().all(|&count| count > 50), "floor, ball and sky are all in view: {seen:?}");
+}
+
+#[test]
+fn twice_the_light_is_twice_the_radiance_and_a_muted_one_is_none() {
+    let once = picture(&furnace(500.0, DVec3::splat(0.5)), 4);
+    let twice = picture(&furnace(1000.0, DVec3::splat(0.5)), 4);
+    for (a, b) in once.radiance().iter().zip(twice.radiance()) {
+        assert!((2.0 * a - b).length() <= 1e-12 * b.length(), "{a} and {b}");
+    }
+    let mut muted = furnace(500.0, DVec3::splat(0.5));
+    muted.lights[0].muted = true;
+    assert!(picture(&muted, 1).radiance().iter().all(|radiance| *radiance == DVec3::ZERO), "muted");
+}
+
+#[test]
+fn a_sphere_light_is_seen_with_its_luminance() {
+    let mut scene = furnace(0.0, DVec3::ONE);
+    scene.lights[0].shape = LightShape::Sphere(Sphere { radius: 0.5 });
+    scene.lights[0].quantity = Quantity::new(QuantityKind::Flux, 4.0 * PI * PI * 0.25 * 300.0);
+    scene.lights[0].position = DVec3::new(0.0, -1.0, 0.5);
+    let film = picture(&scene, 1);
+    let middle = film.radiance()[25 * 70 + 35];
+    assert!((middle - 300.0).length() < 1e-10, "{middle}");
+}
+
+#[test]
+fn the_picture_does_not_depend_on_the_number_of_threads() {
+    let scene = furnace(1000.0, DVec3::splat(0.5));
+    let one = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
+    let three = rayon::ThreadPoolBuilder::new().num_threads(3).build().unwrap();
+    assert!(one.install(|| picture(&scene, 5)) == three.install(|| picture(&scene, 5)), "pictures differ");
+}
+
+#[test]
+fn a_cancelled_picture_is_none() {
+    let progress = Progress::default();
+    progress.cancel();
+    let settings = Settings { size: SIZE, choice: MethodChoice::default(), samples: 1 };
+    assert_eq!(render(&furnace(1.0, DVec3::ONE), &settings, &progress), None, "cancelled before it began");
+    assert_eq!(progress.done(), 0, "nothing was done");
+}
+
+#[test]
+fn progress_counts_every_pixel() {
+    let progress = Progress::default();
+    let settings = Settings { size: SIZE, choice: MethodChoice::default(), samples: 1 };
+    assert!(render(&furnace(1.0, DVec3::ONE), &settings, &progress).is_some(), "not cancelled");
+    assert_eq!(progress.done(), 70 * 50, "all pixels");
+}
+
+#[test]
+fn samples_of_a_pixel_are_stratified_and_one_is_its_centre() {
+    assert_eq!(pixel_offsets(1), [DVec2::splat(0.5)], "one sample");
+    for samples in [2_u32, 4, 16, 64] {
+        let n = samples as usize;
+        for axis in 0..2 {
+            let mut strata: Vec<_> =
+                pixel_offsets(samples).iter().map(|offset| (offset[axis] * f64::from(samples)).floor()).collect();
+            strata.sort_by(f64::total_cmp);
+            assert!(strata.iter().enumerate().all(|(i, s)| *s == i as f64), "axis {axis} of {n}: {strata:?}");
+        }
+    }
+}
