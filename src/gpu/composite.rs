@@ -40,10 +40,12 @@ impl Mix {
                 specular: vec3_of(material.specular),
                 ..Default::default()
             })
+            // Of surfaces whose material is missing.
+            .chain([Reflectance::default()])
             .collect();
         let mut mix = Self { lights, reflectances, emitters: Vec::new(), emitter_vertices: Vec::new() };
         if view.show_emitters {
-            for light in &scene.lights {
+            for light in scene.lights.iter().filter(|light| !light.muted) {
                 mix.add_emitter(&light.emitter(), light.weight(), view.camera.eye);
             }
         }

@@ -26,7 +26,7 @@ impl Seen {
             .iter()
             .map(|surface| {
                 let material = scene.materials.iter().position(|material| material.name == surface.material);
-                primitive(surface, u32_of(material.unwrap_or(0)), view.camera.eye)
+                primitive(surface, u32_of(material.unwrap_or(scene.materials.len())), view.camera.eye)
             })
             .collect();
         let [right, up, back] = view.camera.axes();

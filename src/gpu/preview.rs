@@ -5,7 +5,7 @@ use super::gbuffer::{GBufferPass, Seen};
 use super::layers::{LayerPass, Sample, Wanted};
 use super::lights::{self, LightData};
 use super::read_back::{self, Pixels, ReadBackError};
-use super::types::vec4_of;
+use super::types::{Lobe, vec4_of};
 use super::view::{Stats, View};
 use crate::scene::Scene;
 use crate::shading::PhongLobe;
@@ -119,15 +119,17 @@ impl Preview {
     }
 }
 
+/// The lobe of each material, and one for surfaces whose material is missing.
+fn lobes(scene: &Scene) -> Vec<Lobe> {
+    let exponents = scene.materials.iter().map(|material| material.exponent).chain([1.0]);
+    exponents.map(|exponent| lights::lobe(&PhongLobe::new(exponent))).collect()
+}
+
 /// What the layers are to be, and how they are mixed.
 fn wanted(scene: &Scene, view: &View, jitter: [f32; 2]) -> (Wanted, Mix) {
     let mut mixed = Vec::new();
-    let mut wanted = Wanted {
-        seen: Seen::new(scene, view, jitter),
-        lobes: scene.materials.iter().map(|material| lights::lobe(&PhongLobe::new(material.exponent))).collect(),
-        lit: Vec::new(),
-        dark: Vec::new(),
-    };
+    let mut wanted =
+        Wanted { seen: Seen::new(scene, view, jitter), lobes: lobes(scene), lit: Vec::new(), dark: Vec::new() };
     for light in &scene.lights {
         let data = LightData::new(&light.emitter(), view.method.for_shape(&light.shape), view.camera.eye);
         let weight = light.weight();

@@ -167,3 +167,50 @@ fn a_point_light_over_the_floor_gives_the_inverse_square() {
         assert!(error < 1e-6, "{radiance:?} is not {expected} (relative error {error:e})");
     }
 }
+
+#[test]
+fn a_still_picture_is_refined_and_then_left_alone() {
+    let mut bench = Bench::new(scene());
+    bench.view.refine = true;
+    bench.render();
+    let first = bench.pixels();
+    let mut samples = 1;
+    while !bench.preview.is_converged() {
+        bench.check_cost("another sample", Stats { g_buffers: 1, layers: 3, ..COMPOSITE });
+        samples += 1;
+        assert!(samples <= 64, "the picture does not converge");
+    }
+    bench.check_cost("converged", NOTHING);
+    let refined = bench.pixels();
+    assert_ne!(first.radiance, refined.radiance, "refinement changes edges");
+    let mean = |pixels: &Pixels| pixels.radiance.iter().map(|rgb| f64::from(rgb[1])).sum::<f64>();
+    let ratio = mean(&refined) / mean(&first);
+    assert!((ratio - 1.0).abs() < 0.01, "refinement changes the whole by {ratio}");
+
+    bench.view.exposure_ev = 1.0;
+    bench.check_cost("exposure keeps the samples", Stats { tones: 1, ..NOTHING });
+    bench.scene.lights[0].position.x = 0.2;
+    bench.check_cost("one light is dragged", Stats { layers: 1, ..COMPOSITE });
+    assert!(!bench.preview.is_converged(), "a change starts anew");
+}
+
+#[test]
+fn more_lights_than_a_batch_add_up() {
+    let mut bench = Bench::new(scene());
+    bench.scene.lights.truncate(1);
+    bench.render();
+    let one = bench.pixels();
+    bench.scene.lights = (0..11)
+        .map(|i| Light {
+            name: format!("{i}"),
+            position: DVec3::new(-1.0, 1e-5 * f64::from(i), 2.0),
+            ..bench.scene.lights[0].clone()
+        })
+        .collect();
+    bench.check_cost("ten more", Stats { layers: 10, ..COMPOSITE });
+    let peak = 11.0 * one.radiance.iter().fold(0.0_f32, |peak, rgb| peak.max(rgb[0]));
+    for (one, eleven) in one.radiance.iter().zip(&bench.pixels().radiance) {
+        let (expected, found) = (11.0 * one[0], eleven[0]);
+        assert!((found - expected).abs() <= 1e-3 * peak, "{found} is not {expected}");
+    }
+}

@@ -85,7 +85,8 @@ fn weighed(index: u32, response: vec4f, sum: ColoredResponse) -> ColoredResponse
     return ColoredResponse(sum.irradiance + weight * response.x, sum.specular + weight * response.y);
 }
 
-// Radiance of the nearest emitter in front of the surface; w is 1 where there is one.
+// Radiance of the nearest emitter in front of the surface; w is 1 where there is one. As `render::emitters`: what does
+// not emit hides nothing, which is a one-sided polygon's back and a sphere's inside.
 fn emitter_seen(position: vec4f) -> vec4f {
     let d = normalize(position.xyz);
     var nearest = select(3e38, length(position.xyz), position.w > 0.0);
@@ -100,9 +101,7 @@ fn emitter_seen(position: vec4f) -> vec4f {
         }
         if t > 0.0 && t < nearest {
             nearest = t;
-            // The unlit side of a polygon hides what is behind it, and is black.
-            let lit = emitter.radius > 0.0 || emitter.two_sided == 1u || dot(emitter.vector, d) < 0.0;
-            seen = vec4f(select(vec3f(), emitter.radiance, lit), 1.0);
+            seen = vec4f(emitter.radiance, 1.0);
         }
     }
     return seen;
@@ -115,14 +114,13 @@ fn distance_to_sphere(centre: vec3f, radius: f32, d: vec3f) -> f32 {
     if half_squared < 0.0 {
         return 0.0;
     }
-    let half = sqrt(half_squared);
-    return select(b + half, b - half, b > half);
+    return max(b - sqrt(half_squared), 0.0);
 }
 
 // Even-odd rule in the polygon's plane, with its steepest axis left out.
 fn distance_to_polygon(emitter: VisibleEmitter, d: vec3f) -> f32 {
     let toward = dot(emitter.vector, d);
-    if abs(toward) < 1e-12 {
+    if abs(toward) < 1e-12 || (toward > 0.0 && emitter.two_sided == 0u) {
         return 0.0;
     }
     let t = dot(emitter.vector, emitter_vertices[emitter.first].xyz) / toward;
