@@ -1,6 +1,8 @@
 //! Mathematics that knows nothing of lights: angles, frames, spherical clipping, quadrature, special functions.
 
 pub mod angle;
+pub mod chebyshev;
 pub mod frame;
 pub mod quadrature;
+pub mod special;
 pub mod spherical;

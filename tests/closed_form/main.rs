@@ -1,3 +1,4 @@
 //! Closed forms against reference data, quadrature, limits and properties. One module a light shape.
 
 mod cases;
+mod line;
