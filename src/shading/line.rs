@@ -44,7 +44,7 @@ pub fn respond(light: &LineEmitter, method: Method, at: &ShadingPoint, lobe: &Ph
 /// **Source:** [`crate::refs::POULIN_AMANATIDES_1990`], §3; [`crate::refs::PICOTT_1992`], eq. (3) and app. A; the
 /// forms derived here. **Units:** cd/m → lx for f = 2. **Domain:** unit `n`; 0 for a line of no length and for `p`
 /// within [`CONTACT`] of the light; finite on the light's axis.
-/// **Accuracy:** 1e-14 of |B−A|/dᶠ, relative 4e-12 with all near, far, short, long and axial cases
+/// **Accuracy:** 2e-15 of |B−A|/dᶠ, relative 5e-14, with near, far, short, long and axial lights among the cases
 /// (`closed_form::line`). **Twin:** `shaders/line.wgsl`.
 pub fn line_irradiance(light: &LineEmitter, p: DVec3, n: DVec3) -> f64 {
     LineFrame::new(light, p).and_then(|line| line.above(n)).map_or(0.0, |visible| visible.irradiance(n, light.falloff))
@@ -57,7 +57,7 @@ pub fn line_irradiance(light: &LineEmitter, p: DVec3, n: DVec3) -> f64 {
 ///
 /// **Source:** [`crate::refs::POULIN_AMANATIDES_1990`], eq. (3); clipping by n from [`crate::refs::SNYDER_1996`], eq. 9.
 /// **Domain:** unit `n` and `r`, any real m ≥ 1; as [`line_irradiance`] otherwise. **Units:** cd/m → cd/m².
-/// **Accuracy:** f = 2: 2e-14 of |B−A|/d², relative 1e-11 (`closed_form::line`). **Twin:** `shaders/line.wgsl`.
+/// **Accuracy:** f = 2: 1e-14 of |B−A|/d², relative 2e-12 (`closed_form::line`). **Twin:** `shaders/line.wgsl`.
 pub fn line_phong(light: &LineEmitter, p: DVec3, n: DVec3, r: DVec3, m: f64) -> f64 {
     LineFrame::new(light, p).and_then(|line| line.above(n)).map_or(0.0, |visible| visible.phong(r, m, light.falloff))
 }

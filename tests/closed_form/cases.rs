@@ -6,10 +6,10 @@ use glam::DVec3;
 use serde_json::Value;
 
 /// One reference case.
-pub struct Case(Value);
+pub(crate) struct Case(Value);
 
 /// All cases of a model, in the file's order.
-pub fn load(model: &str) -> Vec<Case> {
+pub(crate) fn load(model: &str) -> Vec<Case> {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/reference").join(model).with_extension("json");
     let text = std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
     let mut file: Value = serde_json::from_str(&text).expect("a reference file is JSON");
@@ -19,42 +19,32 @@ pub fn load(model: &str) -> Vec<Case> {
 
 impl Case {
     /// The case's name.
-    pub fn id(&self) -> &str {
+    pub(crate) fn id(&self) -> &str {
         self.0["id"].as_str().expect("a case has an id")
     }
 
     /// A vector among the inputs.
-    pub fn vector(&self, name: &str) -> DVec3 {
+    pub(crate) fn vector(&self, name: &str) -> DVec3 {
         vector(&self.0["inputs"][name])
     }
 
     /// A direction among the inputs, normalised.
-    pub fn direction(&self, name: &str) -> DVec3 {
+    pub(crate) fn direction(&self, name: &str) -> DVec3 {
         self.vector(name).normalize()
     }
 
-    /// A list of vectors among the inputs.
-    pub fn vectors(&self, name: &str) -> Vec<DVec3> {
-        self.0["inputs"][name].as_array().expect("a list of vectors").iter().map(vector).collect()
-    }
-
     /// A number among the inputs.
-    pub fn number(&self, name: &str) -> f64 {
+    pub(crate) fn number(&self, name: &str) -> f64 {
         self.0["inputs"][name].as_f64().expect("a number")
     }
 
     /// A value that stands beside the inputs, such as `expected`.
-    pub fn value(&self, name: &str) -> f64 {
+    pub(crate) fn value(&self, name: &str) -> f64 {
         self.0[name].as_f64().expect("a number")
     }
 
-    /// Whether the case has a tag.
-    pub fn has_tag(&self, tag: &str) -> bool {
-        self.0["tags"].as_array().is_some_and(|tags| tags.iter().any(|t| t == tag))
-    }
-
     /// Relative change of the exact answer when the inputs are rounded to binary64 about p.
-    pub fn rounding(&self) -> f64 {
+    pub(crate) fn rounding(&self) -> f64 {
         self.0["f64_rounding_rel"].as_f64().unwrap_or(0.0)
     }
 }
@@ -66,7 +56,7 @@ fn vector(value: &Value) -> DVec3 {
 
 /// The worst deviations over a file: absolute in units of the scale, and relative where the value is no trifle.
 #[derive(Default)]
-pub struct Worst {
+pub(crate) struct Worst {
     of_scale: (f64, String),
     relative: (f64, String),
 }
@@ -74,7 +64,7 @@ pub struct Worst {
 impl Worst {
     /// Takes a case in, and holds it to |x − expected| ≤ (1e-10 + 50 δ)·expected + 1e-13·scale.
     #[track_caller]
-    pub fn check(&mut self, case: &Case, x: f64, expected: f64, scale: f64) {
+    pub(crate) fn check(&mut self, case: &Case, x: f64, expected: f64, scale: f64) {
         let deviation = (x - expected).abs();
         let allowed = (1e-10 + 50.0 * case.rounding()) * expected.abs() + 1e-13 * scale;
         assert!(deviation <= allowed, "{}: {x:e} for {expected:e}, off by {deviation:e} > {allowed:e}", case.id());
@@ -89,7 +79,7 @@ impl Worst {
 
     /// Prints the worst cases, and holds them to the bounds that the documentation states.
     #[track_caller]
-    pub fn finish(&self, what: &str, of_scale: f64, relative: f64) {
+    pub(crate) fn finish(&self, what: &str, of_scale: f64, relative: f64) {
         println!(
             "{what}: of scale {:.1e} ({}), relative {:.1e} ({})",
             self.of_scale.0, self.of_scale.1, self.relative.0, self.relative.1
