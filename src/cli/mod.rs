@@ -71,6 +71,15 @@ pub fn is_broken_pipe(error: &anyhow::Error) -> bool {
         .any(|cause| cause.kind() == io::ErrorKind::BrokenPipe)
 }
 
+/// Open the editor on a scene, or on a new one.
+#[cfg(feature = "gui")]
+fn open_editor(scene: Option<&Path>) -> anyhow::Result<Outcome> {
+    crate::editor::run(scene.map(Path::to_owned))?;
+    Ok(Outcome::Done)
+}
+
+/// Say that there is no editor to open.
+#[cfg(not(feature = "gui"))]
 fn open_editor(_scene: Option<&Path>) -> anyhow::Result<Outcome> {
     anyhow::bail!("this build has no editor; `softbox --help` lists what it can do")
 }

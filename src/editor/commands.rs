@@ -120,9 +120,7 @@ impl LightKind {
     fn shape(self) -> light::Shape {
         match self {
             Self::Polygon => light::Shape::Polygon(edits::rectangle(1.0, 1.0)),
-            Self::Line => {
-                light::Shape::Line(Line { length: 1.2, emission: LineEmission::Isotropic, falloff: 2.0 })
-            }
+            Self::Line => light::Shape::Line(Line { length: 1.2, emission: LineEmission::Isotropic, falloff: 2.0 }),
             Self::Sphere => light::Shape::Sphere(Sphere { radius: 0.2 }),
             Self::Point => light::Shape::Point(Point {}),
             Self::Directional => light::Shape::Directional(Directional {}),
@@ -194,7 +192,7 @@ impl Command {
             Self::Undo => with("Undo", session.history.undo_label()),
             Self::Redo => with("Redo", session.history.redo_label()),
             Self::OpenFile(path) => path.display().to_string(),
-            Self::OpenExample(preset) | Self::InsertPreset(preset) => preset.title().to_owned(),
+            Self::OpenExample(preset) | Self::InsertPreset(preset) => preset.title(),
             Self::AddLight(kind) => upper_first(kind.shape().name()),
             Self::AddSurface(kind) => upper_first(kind.shape().name()),
             Self::AddPlot(kind) => upper_first(edits::kind_name(*kind)),

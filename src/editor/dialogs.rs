@@ -57,10 +57,7 @@ impl Native {
     }
 
     /// Wait for the dialog on a thread of its own, and wake the window when it is done.
-    fn wait(
-        ctx: &egui::Context,
-        dialog: impl Future<Output = Option<rfd::FileHandle>> + Send + 'static,
-    ) -> Answer {
+    fn wait(ctx: &egui::Context, dialog: impl Future<Output = Option<rfd::FileHandle>> + Send + 'static) -> Answer {
         let (sender, receiver) = channel();
         let ctx = ctx.clone();
         std::thread::spawn(move || {

@@ -322,6 +322,11 @@ impl Session {
         self.selection.follow(&before, self.history.scene());
     }
 
+    /// Whether any light is soloed.
+    pub fn has_solo(&self) -> bool {
+        !self.solo.is_empty()
+    }
+
     /// Whether the light of that name is soloed.
     pub fn is_solo(&self, name: &str) -> bool {
         self.solo.contains(name)

@@ -1,0 +1,166 @@
+//! The program's window: it puts menu, toolbar, panes and status bar together, and passes commands on.
+
+use std::path::Path;
+
+use egui::{CentralPanel, Frame, Margin, Panel, Ui, ViewportCommand};
+use egui_tiles::Tree;
+
+use super::commands::{self, Command};
+use super::dialogs::Dialogs;
+use super::files::{Files, Then, starting_scene};
+use super::panes::{self, Choice, Messages, Pane, Panes, Views};
+use super::session::Session;
+use super::theme;
+
+/// Where the arrangement of panes is kept between runs; another number where old arrangements no longer fit.
+const LAYOUT_KEY: &str = "layout-1";
+/// Where the recent files are kept between runs.
+const RECENT_KEY: &str = "recent";
+
+/// See the [module](self).
+pub struct App {
+    /// The open document.
+    pub session: Session,
+    /// Files and dialogs under way.
+    pub files: Files,
+    /// How files are chosen.
+    pub dialogs: Box<dyn Dialogs>,
+    layout: Tree<Pane>,
+    views: Views,
+    messages: Messages,
+    keys_shown: bool,
+    title: String,
+}
+
+impl App {
+    /// A window on the scene at `path`, or on a new one.
+    pub fn new(cc: &eframe::CreationContext<'_>, path: Option<&Path>, dialogs: Box<dyn Dialogs>) -> Self {
+        theme::install(&cc.egui_ctx);
+        let recent = cc.storage.and_then(|storage| eframe::get_value(storage, RECENT_KEY));
+        let layout = cc.storage.and_then(|storage| eframe::get_value(storage, LAYOUT_KEY));
+        let mut app = Self {
+            session: Session::new(starting_scene(), None),
+            files: Files::new(recent.unwrap_or_default()),
+            dialogs,
+            layout: layout.unwrap_or_else(panes::default_layout),
+            views: Views::default(),
+            messages: Messages::default(),
+            keys_shown: false,
+            title: String::new(),
+        };
+        if let Some(path) = path {
+            app.open(path);
+        }
+        app
+    }
+
+    /// Put all panes where they were at first.
+    pub fn reset_layout(&mut self) {
+        self.layout = panes::default_layout();
+    }
+
+    /// Show or hide the list of keys.
+    pub fn toggle_keys(&mut self) {
+        self.keys_shown ^= true;
+    }
+
+    /// Files dropped on the window, and the window asked to close.
+    fn handle_events(&mut self, ctx: &egui::Context) {
+        let dropped = ctx.input(|input| input.raw.dropped_files.first().map(|file| file.path().to_path_buf()));
+        if let Some(path) = dropped {
+            self.leave(ctx, Then::Open(path));
+        }
+        let closing = ctx.input(|input| input.viewport().close_requested());
+        if closing && !self.files.may_close && self.session.history.is_modified() {
+            ctx.send_viewport_cmd(ViewportCommand::CancelClose);
+            self.files.guard = Some(Then::Quit);
+        }
+        self.poll_dialogs(ctx);
+        if self.files.guard.is_none() {
+            commands::run_shortcuts(self, ctx);
+        }
+    }
+
+    fn bars(&mut self, ui: &mut Ui) -> Vec<Command> {
+        let bar = |ui: &Ui| Frame::new().fill(ui.visuals().panel_fill).inner_margin(Margin::symmetric(8, 3));
+        let mut chosen = Vec::new();
+        Panel::top("menu").frame(bar(ui)).show(ui, |ui| {
+            chosen.extend(panes::menu_bar(ui, &self.session, &self.files));
+        });
+        Panel::top("toolbar").frame(bar(ui)).show(ui, |ui| chosen.extend(panes::toolbar(ui, &mut self.session)));
+        Panel::bottom("status").frame(bar(ui)).show(ui, |ui| self.status(ui));
+        chosen
+    }
+
+    fn status(&self, ui: &mut Ui) {
+        ui.horizontal(|ui| {
+            ui.label(if self.session.hint.is_empty() { "Ready" } else { self.session.hint.as_str() });
+            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                let scene = self.session.scene();
+                let count = |n: usize, what: &str| format!("{n} {what}{}", if n == 1 { "" } else { "s" });
+                ui.weak(format!("{}, {}", count(scene.lights.len(), "light"), count(scene.surfaces.len(), "surface")));
+                if self.session.has_solo() {
+                    ui.colored_label(theme::accent(ui.visuals()), "solo");
+                }
+            });
+        });
+    }
+
+    fn panes(&mut self, ui: &mut Ui) -> Vec<Command> {
+        let gaps = Frame::new().fill(ui.visuals().extreme_bg_color);
+        CentralPanel::default()
+            .frame(gaps)
+            .show(ui, |ui| {
+                let mut panes = Panes { session: &mut self.session, views: &mut self.views, commands: Vec::new() };
+                self.layout.ui(&mut panes, ui);
+                panes.commands
+            })
+            .inner
+    }
+
+    fn overlays(&mut self, ctx: &egui::Context) {
+        if let Some(then) = self.files.guard.clone() {
+            match panes::ask_unsaved(ctx, &self.session.title()) {
+                Some(Choice::Save) => self.save_then(ctx, Some(then)),
+                Some(Choice::Discard) => self.go_on(ctx, then),
+                Some(Choice::Cancel) => self.files.guard = None,
+                None => {}
+            }
+        }
+        if self.keys_shown && panes::keys(ctx, &self.session) {
+            self.keys_shown = false;
+        }
+        self.messages.show(ctx, &mut self.session);
+    }
+
+    /// The window's title, when it has changed.
+    fn update_title(&mut self, ctx: &egui::Context) {
+        let mark = if self.session.history.is_modified() { "*" } else { "" };
+        let title = format!("{}{mark} - Softbox", self.session.title());
+        if title != self.title {
+            ctx.send_viewport_cmd(ViewportCommand::Title(title.clone()));
+            self.title = title;
+        }
+    }
+}
+
+impl eframe::App for App {
+    fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
+        let ctx = ui.ctx().clone();
+        self.handle_events(&ctx);
+        // Whatever the pointer is over says what it would do.
+        self.session.hint.clear();
+        let mut chosen = self.bars(ui);
+        chosen.extend(self.panes(ui));
+        for command in chosen {
+            command.run(self, &ctx);
+        }
+        self.overlays(&ctx);
+        self.update_title(&ctx);
+    }
+
+    fn save(&mut self, storage: &mut dyn eframe::Storage) {
+        eframe::set_value(storage, LAYOUT_KEY, &self.layout);
+        eframe::set_value(storage, RECENT_KEY, &self.files.recent);
+    }
+}

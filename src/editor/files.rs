@@ -1,0 +1,219 @@
+//! Opening, saving, recent files, and the guard that keeps unsaved work from being lost.
+
+use std::path::{Path, PathBuf};
+
+use super::app::App;
+use super::dialogs::Answer;
+use super::presets::Preset;
+use super::session::{Session, ViewState};
+use crate::scene::{self, Scene};
+
+/// How many recent files are kept.
+const MOST_RECENT: usize = 10;
+
+/// What replaces the open document.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Then {
+    /// An empty document.
+    New,
+    /// A scene that the user chooses.
+    Choose,
+    /// That scene.
+    Open(PathBuf),
+    /// A scene that comes with the program.
+    Example(Preset),
+    /// Nothing: the window closes.
+    Quit,
+}
+
+/// What the file commands are waiting for.
+#[derive(Debug, Default)]
+pub struct Files {
+    /// Scenes opened or saved last, the latest first.
+    pub recent: Vec<PathBuf>,
+    /// The document is modified, and the user must say whether to save it before this.
+    pub guard: Option<Then>,
+    /// A dialog is open.
+    waiting: Option<(Answer, Purpose)>,
+    /// The window may close without asking again.
+    pub may_close: bool,
+}
+
+/// What an open dialog is for.
+#[derive(Debug)]
+enum Purpose {
+    Open,
+    /// Save, and then go on.
+    Save(Option<Then>),
+}
+
+impl Files {
+    /// Nothing under way, and these files opened before.
+    pub fn new(recent: Vec<PathBuf>) -> Self {
+        Self { recent, ..Self::default() }
+    }
+
+    /// Whether a dialog is open.
+    pub fn is_waiting(&self) -> bool {
+        self.waiting.is_some()
+    }
+
+    fn remember(&mut self, path: &Path) {
+        self.recent.retain(|other| other != path);
+        self.recent.insert(0, path.to_owned());
+        self.recent.truncate(MOST_RECENT);
+    }
+}
+
+impl App {
+    /// Leave the document for `then`; if it is modified, ask first.
+    pub fn leave(&mut self, ctx: &egui::Context, then: Then) {
+        if self.session.history.is_modified() {
+            self.files.guard = Some(then);
+        } else {
+            self.go_on(ctx, then);
+        }
+    }
+
+    /// Leave the document, whatever happens to it.
+    pub fn go_on(&mut self, ctx: &egui::Context, then: Then) {
+        self.files.guard = None;
+        match then {
+            Then::New => self.replace(starting_scene(), None),
+            Then::Open(path) => self.open(&path),
+            Then::Example(preset) => match preset.load() {
+                Ok(scene) => self.replace(scene, None),
+                Err(error) => self.session.failed(error.to_string()),
+            },
+            Then::Choose => {
+                let answer = self.dialogs.open_scene(ctx, self.folder().as_deref());
+                self.files.waiting = Some((answer, Purpose::Open));
+            }
+            Then::Quit => {
+                self.files.may_close = true;
+                ctx.send_viewport_cmd(egui::ViewportCommand::Close);
+            }
+        }
+    }
+
+    /// Open a scene file in place of the document.
+    pub fn open(&mut self, path: &Path) {
+        match scene::load(path) {
+            Ok(scene) => {
+                self.files.remember(path);
+                self.replace(scene, Some(path.to_owned()));
+            }
+            Err(error) => {
+                self.files.recent.retain(|other| other != path);
+                self.session.failed(error.to_string());
+            }
+        }
+    }
+
+    /// Save to the document's file, or ask where.
+    pub fn save(&mut self, ctx: &egui::Context) {
+        self.save_then(ctx, None);
+    }
+
+    /// Ask where to save.
+    pub fn save_as(&mut self, ctx: &egui::Context) {
+        self.ask_where(ctx, None);
+    }
+
+    /// Save, and if that worked go on.
+    pub fn save_then(&mut self, ctx: &egui::Context, then: Option<Then>) {
+        self.files.guard = None;
+        match self.session.path.clone() {
+            Some(path) => self.write(ctx, &path, then),
+            None => self.ask_where(ctx, then),
+        }
+    }
+
+    /// Take the answer of a dialog, if one has come.
+    pub fn poll_dialogs(&mut self, ctx: &egui::Context) {
+        let Some((answer, _)) = &self.files.waiting else { return };
+        let Some(chosen) = answer.poll() else { return };
+        let Some((_, purpose)) = self.files.waiting.take() else { return };
+        match (chosen, purpose) {
+            (None, _) => {}
+            (Some(path), Purpose::Open) => self.open(&path),
+            (Some(path), Purpose::Save(then)) => {
+                let path = if path.extension().is_none() { path.with_extension("toml") } else { path };
+                self.write(ctx, &path, then);
+            }
+        }
+    }
+
+    /// Add the lights of a preset to the document.
+    pub fn insert_preset(&mut self, preset: Preset) {
+        match preset.load() {
+            Ok(scene) => self.session.insert_lights(&format!("Insert {}", preset.title()), &scene),
+            Err(error) => self.session.failed(error.to_string()),
+        }
+    }
+
+    fn replace(&mut self, scene: Scene, path: Option<PathBuf>) {
+        let old = std::mem::replace(&mut self.session, Session::new(scene, path));
+        self.session.notices = old.notices;
+        self.session.work_plane = old.work_plane;
+        self.session.view = ViewState { camera: self.session.view.camera, ..old.view };
+    }
+
+    fn ask_where(&mut self, ctx: &egui::Context, then: Option<Then>) {
+        let name = match &self.session.path {
+            Some(path) => path.file_name().unwrap_or_default().to_string_lossy().into_owned(),
+            None => format!("{}.toml", self.session.title().to_lowercase().replace(' ', "-")),
+        };
+        let answer = self.dialogs.save_scene(ctx, self.folder().as_deref(), &name);
+        self.files.waiting = Some((answer, Purpose::Save(then)));
+    }
+
+    fn write(&mut self, ctx: &egui::Context, path: &Path, then: Option<Then>) {
+        match scene::save(self.session.scene(), path) {
+            Ok(()) => {
+                self.session.history.mark_saved();
+                self.session.path = Some(path.to_owned());
+                self.session.done(format!("Saved {}", self.session.title()));
+                self.files.remember(path);
+                if let Some(then) = then {
+                    self.go_on(ctx, then);
+                }
+            }
+            Err(error) => self.session.failed(error.to_string()),
+        }
+    }
+
+    /// Where dialogs start: by the document, or by the scene that was open last.
+    fn folder(&self) -> Option<PathBuf> {
+        let path = self.session.path.as_ref().or(self.files.recent.first())?;
+        path.parent().filter(|folder| folder.is_dir()).map(Path::to_owned)
+    }
+}
+
+/// What *New* starts with: a floor, a ball and a box, and no light yet.
+pub fn starting_scene() -> Scene {
+    use crate::surface::{Material, Shape, Surface};
+    use glam::DVec3;
+    let surface = |name: &str, position: DVec3, shape| Surface {
+        name: name.to_owned(),
+        material: "plaster".to_owned(),
+        position,
+        rotation_deg: DVec3::ZERO,
+        scale: DVec3::ONE,
+        shape,
+    };
+    Scene {
+        materials: vec![Material {
+            name: "plaster".to_owned(),
+            diffuse: DVec3::splat(0.5),
+            specular: DVec3::splat(0.2),
+            exponent: 32.0,
+        }],
+        surfaces: vec![
+            surface("floor", DVec3::ZERO, Shape::Plane {}),
+            surface("ball", DVec3::new(-0.7, 0.0, 0.5), Shape::Sphere { radius: 0.5 }),
+            surface("box", DVec3::new(0.8, 0.2, 0.4), Shape::Box { size: DVec3::splat(0.8) }),
+        ],
+        ..Scene::default()
+    }
+}

@@ -1,0 +1,230 @@
+//! A light's numbers.
+
+use egui::{Ui, vec2};
+
+use super::fields::{Fields, Number, drag, row_label};
+use crate::light::{Light, Polygon, Quantity, QuantityKind, Shape, Tint};
+use crate::scene::Scene;
+
+/// The temperature that a light gets when its tint becomes one, kelvin.
+const DAYLIGHT_K: f64 = 6500.0;
+
+pub(super) fn show(ui: &mut Ui, fields: &mut Fields<'_>, index: usize) {
+    let Some(light) = fields.scene().lights.get(index).cloned() else { return };
+    fields.section(ui, "Emission", |ui, fields| {
+        emission(ui, fields, index, &light);
+        tint(ui, fields, index, light.tint);
+        fields.toggle(ui, "Muted", light.muted, at(index, |light, muted| light.muted = muted));
+    });
+    fields.section(ui, "Shape", |ui, fields| match &light.shape {
+        Shape::Polygon(polygon) => polygon_rows(ui, fields, index, polygon),
+        Shape::Line(line) => {
+            fields.number(ui, "Length", &Number::LENGTH, line.length, at(index, set_length));
+            let falloff = Number { unit: "", speed: 0.01, range: 0.0..=3.0 };
+            fields.number(ui, "Falloff n", &falloff, line.falloff, at(index, set_falloff));
+        }
+        Shape::Sphere(sphere) => {
+            fields.number(ui, "Radius", &Number::LENGTH, sphere.radius, at(index, set_radius));
+        }
+        Shape::Point(_) => fields.derived(ui, "Extent", "none: all of it at the origin"),
+        Shape::Directional(_) => fields.derived(ui, "Extent", "parallel light along −Z"),
+    });
+    if let Shape::Polygon(polygon) = &light.shape {
+        vertices(ui, fields, index, polygon);
+    }
+    fields.section(ui, "Placement", |ui, fields| {
+        fields.vector(ui, "Position", &Number::PLACE, light.position, at(index, |light, p| light.position = p));
+        fields.vector(ui, "Rotation", &Number::ANGLE, light.rotation_deg, at(index, |light, r| light.rotation_deg = r));
+    });
+}
+
+/// An edit of the scene that is an edit of one light.
+fn at<T>(index: usize, set: impl Fn(&mut Light, T)) -> impl Fn(&mut Scene, T) {
+    move |scene, value| {
+        if let Some(light) = scene.lights.get_mut(index) {
+            set(light, value);
+        }
+    }
+}
+
+/// One row for each unit in which the emission may be stated; the one that is stated is kept when the light is resized.
+fn emission(ui: &mut Ui, fields: &mut Fields<'_>, index: usize, light: &Light) {
+    for kind in light.shape.quantity_kinds() {
+        let Some(value) = value_in(light, *kind) else { continue };
+        row_label(ui, quantity_name(*kind));
+        ui.horizontal(|ui| {
+            let mut edited = value;
+            let style = Number::amount(quantity_suffix(*kind), value);
+            let response = drag(ui, quantity_name(*kind), &style, &mut edited, 130.0);
+            let set = at(index, |light: &mut Light, value| light.quantity = Quantity::new(*kind, value));
+            fields.apply(&response, "Change emission", |scene| set(scene, edited));
+            if light.shape.quantity_kinds().len() > 1 {
+                let stated = light.quantity.kind() == *kind;
+                let mut keep = ui.radio(stated, "").on_hover_text("State the light so: keeps this when it is resized");
+                keep = keep.accessible_name(format!("Keep {}", quantity_name(*kind).to_lowercase()));
+                if keep.clicked() && !stated {
+                    keep.mark_changed();
+                }
+                fields.apply_now(&keep, "Change stated quantity", |scene| set(scene, value));
+            }
+        });
+        ui.end_row();
+    }
+}
+
+/// The light's emission as another quantity; `None` where it has no such.
+fn value_in(light: &Light, kind: QuantityKind) -> Option<f64> {
+    if kind == light.quantity.kind() {
+        return Some(light.quantity.value());
+    }
+    let per = light.shape.strength_per(kind);
+    (per > 0.0).then(|| light.strength() / per)
+}
+
+fn quantity_name(kind: QuantityKind) -> &'static str {
+    match kind {
+        QuantityKind::Luminance => "Luminance",
+        QuantityKind::Flux => "Flux",
+        QuantityKind::Intensity => "Intensity",
+        QuantityKind::IntensityPerMetre => "Intensity/m",
+        QuantityKind::Illuminance => "Illuminance",
+    }
+}
+
+fn quantity_suffix(kind: QuantityKind) -> &'static str {
+    match kind {
+        QuantityKind::Luminance => " cd/m²",
+        QuantityKind::Flux => " lm",
+        QuantityKind::Intensity => " cd",
+        QuantityKind::IntensityPerMetre => " cd/m",
+        QuantityKind::Illuminance => " lx",
+    }
+}
+
+fn tint(ui: &mut Ui, fields: &mut Fields<'_>, index: usize, tint: Tint) {
+    let by_temperature = matches!(tint, Tint::TemperatureK(_));
+    let ways = [(false, "colour".to_owned()), (true, "temperature".to_owned())];
+    fields.choice(ui, "Tint", &by_temperature, &ways, |scene, temperature| {
+        // A colour taken from a temperature keeps what is seen; its greatest component becomes 1.
+        let rgb = tint.rgb();
+        let new = if temperature { Tint::TemperatureK(DAYLIGHT_K) } else { Tint::Color(rgb / rgb.max_element()) };
+        at(index, |light, ()| light.tint = new)(scene, ());
+    });
+    match tint {
+        Tint::Color(color) => {
+            fields.color(ui, "Colour", color, at(index, |light, rgb| light.tint = Tint::Color(rgb)));
+        }
+        Tint::TemperatureK(kelvin) => {
+            let style = Number { unit: " K", speed: 10.0, range: 1000.0..=40_000.0 };
+            let set = at(index, |light, kelvin| light.tint = Tint::TemperatureK(kelvin));
+            fields.number(ui, "Temperature", &style, kelvin, set);
+        }
+    }
+}
+
+fn polygon_rows(ui: &mut Ui, fields: &mut Fields<'_>, index: usize, polygon: &Polygon) {
+    fields.derived(ui, "Area", &format!("{:.4} m²", polygon.area()));
+    let set = at(index, |light, two_sided| {
+        if let Shape::Polygon(polygon) = &mut light.shape {
+            polygon.two_sided = two_sided;
+        }
+    });
+    fields.toggle(ui, "Two-sided", polygon.two_sided, set);
+}
+
+/// The polygon's corners in its own plane: numbers, and buttons to add and take away.
+fn vertices(ui: &mut Ui, fields: &mut Fields<'_>, index: usize, polygon: &Polygon) {
+    fields.section(ui, "Vertices (m)", |ui, fields| {
+        for (i, vertex) in polygon.vertices.iter().enumerate() {
+            row_label(ui, &format!("{}", i + 1));
+            ui.horizontal(|ui| {
+                ui.spacing_mut().item_spacing.x = 3.0;
+                let mut edited = *vertex;
+                for (axis, name) in ["X", "Y"].into_iter().enumerate() {
+                    let name = format!("Vertex {} {name}", i + 1);
+                    let style = Number { unit: "", ..Number::PLACE };
+                    let response = drag(ui, &name, &style, &mut edited[axis], 62.0);
+                    let set = polygon_at(index, |polygon: &mut Polygon| polygon.vertices[i] = edited);
+                    fields.apply(&response, "Move vertex", set);
+                }
+                vertex_buttons(ui, fields, index, polygon, i);
+            });
+            ui.end_row();
+        }
+    });
+}
+
+fn vertex_buttons(ui: &mut Ui, fields: &mut Fields<'_>, index: usize, polygon: &Polygon, i: usize) {
+    use egui_material_icons::icons::{ICON_ADD, ICON_REMOVE};
+    let button =
+        |icon: egui_material_icons::MaterialIcon| egui::Button::new(icon.rich_text()).min_size(vec2(20.0, 20.0));
+    let middle = polygon.vertices[i].midpoint(polygon.vertices[(i + 1) % polygon.vertices.len()]);
+    let mut add = ui.add(button(ICON_ADD)).on_hover_text("Add a vertex after this one");
+    add = add.accessible_name(format!("Add after vertex {}", i + 1));
+    if add.clicked() {
+        add.mark_changed();
+    }
+    fields.apply_now(&add, "Add vertex", polygon_at(index, |polygon| polygon.vertices.insert(i + 1, middle)));
+    let mut delete =
+        ui.add_enabled(polygon.vertices.len() > 3, button(ICON_REMOVE)).on_hover_text("Delete this vertex");
+    delete = delete.accessible_name(format!("Delete vertex {}", i + 1));
+    if delete.clicked() {
+        delete.mark_changed();
+    }
+    let delete_vertex = polygon_at(index, |polygon| {
+        polygon.vertices.remove(i);
+    });
+    fields.apply_now(&delete, "Delete vertex", delete_vertex);
+}
+
+/// An edit of the scene that is an edit of one light's polygon.
+fn polygon_at(index: usize, edit: impl FnOnce(&mut Polygon)) -> impl FnOnce(&mut Scene) {
+    move |scene| {
+        if let Some(Light { shape: Shape::Polygon(polygon), .. }) = scene.lights.get_mut(index) {
+            edit(polygon);
+        }
+    }
+}
+
+fn set_length(light: &mut Light, length: f64) {
+    if let Shape::Line(line) = &mut light.shape {
+        line.length = length;
+    }
+}
+
+fn set_falloff(light: &mut Light, falloff: f64) {
+    if let Shape::Line(line) = &mut light.shape {
+        line.falloff = falloff;
+    }
+}
+
+fn set_radius(light: &mut Light, radius: f64) {
+    if let Shape::Sphere(sphere) = &mut light.shape {
+        sphere.radius = radius;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::light::Sphere;
+    use glam::DVec3;
+    use std::f64::consts::PI;
+
+    #[test]
+    fn a_quantity_is_shown_in_all_of_its_units() {
+        let shape = Shape::Sphere(Sphere { radius: 0.5 });
+        let light = Light {
+            name: "globe".to_owned(),
+            position: DVec3::ZERO,
+            rotation_deg: DVec3::ZERO,
+            tint: Tint::default(),
+            quantity: Quantity::new(QuantityKind::Flux, 100.0),
+            muted: false,
+            shape,
+        };
+        let luminance = value_in(&light, QuantityKind::Luminance).expect("a sphere has a luminance");
+        assert!((luminance - 100.0 / (PI * PI)).abs() < 1e-12, "Φ = 4π²r²L gives {luminance}");
+        assert_eq!(value_in(&light, QuantityKind::Illuminance), None, "a sphere is not stated by illuminance");
+    }
+}

@@ -1,0 +1,198 @@
+//! The menu bar and the toolbar.
+
+use egui::{Button, RichText, Ui, vec2};
+use egui_material_icons::MaterialIcon;
+use egui_material_icons::icons;
+
+use super::icon_button;
+use crate::editor::commands::{Command, LightKind, SurfaceKind, VIEW_METHODS};
+use crate::editor::files::Files;
+use crate::editor::presets;
+use crate::editor::session::{Session, Tool};
+use crate::editor::theme;
+use crate::scene::PlotKind;
+
+/// The menu bar; the command that was chosen.
+pub fn menu_bar(ui: &mut Ui, session: &Session, files: &Files) -> Option<Command> {
+    let mut chosen = None;
+    egui::MenuBar::new().ui(ui, |ui| {
+        ui.menu_button("File", |ui| file_menu(ui, session, files, &mut chosen));
+        ui.menu_button("Edit", |ui| {
+            use Command::{Delete, Duplicate, Redo, SelectAll, SelectNone, Undo};
+            entries(ui, session, &[Undo, Redo], &mut chosen);
+            ui.separator();
+            entries(ui, session, &[Duplicate, Delete, SelectAll, SelectNone], &mut chosen);
+        });
+        ui.menu_button("Add", |ui| {
+            ui.menu_button("Light", |ui| entries(ui, session, &LightKind::ALL.map(Command::AddLight), &mut chosen));
+            ui.menu_button("Surface", |ui| {
+                entries(ui, session, &SurfaceKind::ALL.map(Command::AddSurface), &mut chosen);
+            });
+            entry(ui, session, &Command::AddMaterial, &mut chosen);
+            ui.menu_button("Plot", |ui| {
+                let kinds = [PlotKind::Tilt, PlotKind::View, PlotKind::Line, PlotKind::Distance];
+                entries(ui, session, &kinds.map(Command::AddPlot), &mut chosen);
+            });
+        });
+        ui.menu_button("View", |ui| view_menu(ui, session, &mut chosen));
+        ui.menu_button("Help", |ui| entry(ui, session, &Command::Keys, &mut chosen));
+        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+            let mark = if session.history.is_modified() { " *" } else { "" };
+            ui.weak(format!("{}{mark}", session.title()));
+        });
+    });
+    chosen
+}
+
+fn file_menu(ui: &mut Ui, session: &Session, files: &Files, chosen: &mut Option<Command>) {
+    entries(ui, session, &[Command::New, Command::Open], chosen);
+    ui.menu_button("Open recent", |ui| {
+        if files.recent.is_empty() {
+            ui.weak("none yet");
+        }
+        for path in &files.recent {
+            entry(ui, session, &Command::OpenFile(path.clone()), chosen);
+        }
+    });
+    ui.menu_button("Open example", |ui| {
+        for preset in presets::SCENES {
+            entry(ui, session, &Command::OpenExample(*preset), chosen);
+        }
+    });
+    ui.menu_button("Insert preset", |ui| {
+        for preset in presets::LIGHTS {
+            entry(ui, session, &Command::InsertPreset(*preset), chosen);
+        }
+    });
+    ui.separator();
+    entries(ui, session, &[Command::Save, Command::SaveAs], chosen);
+    ui.separator();
+    entry(ui, session, &Command::Quit, chosen);
+}
+
+fn view_menu(ui: &mut Ui, session: &Session, chosen: &mut Option<Command>) {
+    ui.menu_button("Method", |ui| entries(ui, session, &VIEW_METHODS.map(Command::Method), chosen));
+    ui.separator();
+    entries(ui, session, &[Command::Focus, Command::FrameAll, Command::ResetView, Command::SaveView], chosen);
+    ui.separator();
+    entries(ui, session, &[Command::ToggleEmitters, Command::ToggleGrid, Command::ToggleSnap], chosen);
+    ui.separator();
+    entries(ui, session, &[Command::ResetLayout, Command::ToggleTheme], chosen);
+}
+
+fn entries(ui: &mut Ui, session: &Session, commands: &[Command], chosen: &mut Option<Command>) {
+    for command in commands {
+        entry(ui, session, command, chosen);
+    }
+}
+
+/// One command in a menu, with its key, greyed out where it cannot be done.
+fn entry(ui: &mut Ui, session: &Session, command: &Command, chosen: &mut Option<Command>) {
+    let mut button = Button::new(command.label(session)).selected(command.checked(session) == Some(true));
+    if let Some(shortcut) = command.shortcut() {
+        button = button.shortcut_text(ui.ctx().format_shortcut(&shortcut));
+    }
+    if ui.add_enabled(command.enabled(session), button).clicked() {
+        *chosen = Some(command.clone());
+    }
+}
+
+/// The toolbar; the command that was chosen.
+pub fn toolbar(ui: &mut Ui, session: &mut Session) -> Option<Command> {
+    let mut chosen = None;
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = 3.0;
+        for (icon, command) in [
+            (icons::ICON_NOTE_ADD, Command::New),
+            (icons::ICON_FOLDER_OPEN, Command::Open),
+            (icons::ICON_SAVE, Command::Save),
+        ] {
+            tool_button(ui, session, icon, command, &mut chosen);
+        }
+        ui.separator();
+        tool_button(ui, session, icons::ICON_UNDO, Command::Undo, &mut chosen);
+        tool_button(ui, session, icons::ICON_REDO, Command::Redo, &mut chosen);
+        ui.separator();
+        for tool in Tool::ALL {
+            tool_button(ui, session, tool_icon(tool), Command::Tool(tool), &mut chosen);
+        }
+        ui.separator();
+        work_plane(ui, session);
+        ui.separator();
+        tool_button(ui, session, icons::ICON_CENTER_FOCUS_STRONG, Command::Focus, &mut chosen);
+        tool_button(ui, session, icons::ICON_ZOOM_OUT_MAP, Command::FrameAll, &mut chosen);
+        ui.separator();
+        methods(ui, session, &mut chosen);
+        exposure(ui, session);
+    });
+    chosen
+}
+
+fn tool_button(ui: &mut Ui, session: &Session, icon: MaterialIcon, command: Command, chosen: &mut Option<Command>) {
+    let label = command.label(session);
+    let key = command.shortcut().map(|shortcut| ui.ctx().format_shortcut(&shortcut));
+    let hover = key.map_or_else(|| label.clone(), |key| format!("{label}  ({key})"));
+    let on = command.checked(session) == Some(true);
+    let text = icon.rich_text().size(17.0);
+    let text = if on { text.color(theme::accent(ui.visuals())) } else { text };
+    let button = Button::selectable(on, text).min_size(vec2(28.0, 26.0));
+    let response = ui.add_enabled(command.enabled(session), button).on_hover_text(hover);
+    if response.accessible_name(label).clicked() {
+        *chosen = Some(command);
+    }
+}
+
+fn tool_icon(tool: Tool) -> MaterialIcon {
+    match tool {
+        Tool::Move => icons::ICON_OPEN_WITH,
+        Tool::Rotate => icons::ICON_360,
+        Tool::Scale => icons::ICON_RESIZE,
+        Tool::Polygon => icons::ICON_PENTAGON,
+        Tool::Line => icons::ICON_SHAPE_LINE,
+        Tool::Sphere => icons::ICON_CIRCLE,
+    }
+}
+
+/// Height of the plane on which lights are drawn, and its grid.
+fn work_plane(ui: &mut Ui, session: &mut Session) {
+    let plane = &mut session.work_plane;
+    ui.weak("height");
+    let height = egui::DragValue::new(&mut plane.height).speed(0.01).range(-100.0..=1000.0).suffix(" m");
+    ui.add(height).accessible_name("Work plane height").on_hover_text("Lights are drawn this high above the ground");
+    let snap = plane.snap;
+    let color = if snap { theme::accent(ui.visuals()) } else { ui.visuals().weak_text_color() };
+    if icon_button(ui, icons::ICON_GRID_ON, color, "Snap to grid").clicked() {
+        plane.snap = !snap;
+    }
+    let grid = egui::DragValue::new(&mut plane.grid).speed(0.005).range(0.001..=10.0).suffix(" m");
+    ui.add_enabled(snap, grid).accessible_name("Grid spacing").on_hover_text("Grid spacing");
+}
+
+fn methods(ui: &mut Ui, session: &Session, chosen: &mut Option<Command>) {
+    let current = session.view.method;
+    let combo =
+        egui::ComboBox::from_id_salt("view method").selected_text(RichText::new(current.to_string())).width(120.0);
+    let response = combo.show_ui(ui, |ui| {
+        for method in VIEW_METHODS {
+            if ui.selectable_label(method == current, method.to_string()).clicked() {
+                *chosen = Some(Command::Method(method));
+            }
+        }
+    });
+    response.response.accessible_name("Method").on_hover_text("By which method lights are shaded in the view");
+}
+
+fn exposure(ui: &mut Ui, session: &mut Session) {
+    let mut ev = session.scene().display.exposure_ev;
+    let drag = egui::DragValue::new(&mut ev).speed(0.02).range(-20.0..=20.0).max_decimals(2).suffix(" EV");
+    let response = ui.add(drag).accessible_name("View exposure").on_hover_text("Exposure; at 0, 100 cd/m² is white");
+    if response.drag_started() || response.gained_focus() {
+        session.begin("Change exposure");
+    }
+    if response.changed() {
+        session.edit("Change exposure", |scene| scene.display.exposure_ev = ev);
+    }
+    if response.drag_stopped() || response.lost_focus() {
+        session.commit();
+    }
+}

@@ -1,0 +1,140 @@
+//! The panes, and how they share the window.
+
+mod inspector;
+mod menu;
+mod outliner;
+mod overlays;
+mod problems;
+
+pub use inspector::Inspector;
+pub use menu::{menu_bar, toolbar};
+pub use outliner::Outliner;
+pub use overlays::{Choice, Messages, ask_unsaved, keys};
+
+use egui::{Button, Color32, Response, Ui, WidgetText, vec2};
+use egui_material_icons::MaterialIcon;
+use egui_tiles::{Container, Linear, LinearDir, SimplificationOptions, TileId, Tiles, Tree, UiResponse};
+
+use super::commands::Command;
+use super::session::Session;
+
+/// One pane of the window.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+pub enum Pane {
+    /// The picture.
+    Viewport,
+    /// The list of what is in the scene.
+    Outliner,
+    /// The numbers of what is selected.
+    Inspector,
+    /// What is wrong.
+    Problems,
+}
+
+/// The panes' own state.
+#[derive(Default)]
+pub struct Views {
+    /// The list of what is in the scene.
+    pub outliner: Outliner,
+    /// The numbers of what is selected.
+    pub inspector: Inspector,
+}
+
+/// What the panes are shown with, and what they ask for.
+pub struct Panes<'a> {
+    /// The document.
+    pub session: &'a mut Session,
+    /// The panes' own state.
+    pub views: &'a mut Views,
+    /// Commands asked for in a pane.
+    pub commands: Vec<Command>,
+}
+
+/// The panes as they are at first: outliner, viewport over plots, inspector.
+pub fn default_layout() -> Tree<Pane> {
+    let mut tiles = Tiles::default();
+    let tab = |tiles: &mut Tiles<Pane>, panes: &[Pane]| {
+        let children = panes.iter().map(|pane| tiles.insert_pane(*pane)).collect();
+        tiles.insert_tab_tile(children)
+    };
+    let outliner = tab(&mut tiles, &[Pane::Outliner]);
+    let viewport = tab(&mut tiles, &[Pane::Viewport]);
+    let below = tab(&mut tiles, &[Pane::Problems]);
+    let inspector = tab(&mut tiles, &[Pane::Inspector]);
+    let middle = insert(&mut tiles, LinearDir::Vertical, &[(viewport, 0.66), (below, 0.34)]);
+    let root = insert(&mut tiles, LinearDir::Horizontal, &[(outliner, 0.17), (middle, 0.585), (inspector, 0.245)]);
+    Tree::new(egui::Id::unique("panes"), root, tiles)
+}
+
+fn insert(tiles: &mut Tiles<Pane>, dir: LinearDir, shares: &[(TileId, f32)]) -> TileId {
+    let mut linear = Linear::new(dir, shares.iter().map(|(tile, _)| *tile).collect());
+    for (tile, share) in shares {
+        linear.shares.set_share(*tile, *share);
+    }
+    tiles.insert_container(Container::Linear(linear))
+}
+
+impl egui_tiles::Behavior<Pane> for Panes<'_> {
+    fn pane_ui(&mut self, ui: &mut Ui, _tile_id: TileId, pane: &mut Pane) -> UiResponse {
+        ui.painter().rect_filled(ui.max_rect(), 0.0, ui.visuals().panel_fill);
+        match pane {
+            Pane::Viewport => {}
+            Pane::Outliner => self.commands.extend(self.views.outliner.show(ui, self.session)),
+            Pane::Inspector => self.views.inspector.show(ui, self.session),
+            Pane::Problems => problems::show(ui, self.session),
+        }
+        UiResponse::None
+    }
+
+    fn tab_title_for_pane(&mut self, pane: &Pane) -> WidgetText {
+        match pane {
+            Pane::Viewport => "View",
+            Pane::Outliner => "Outliner",
+            Pane::Inspector => "Inspector",
+            Pane::Problems => "Problems",
+        }
+        .into()
+    }
+
+    fn simplification_options(&self) -> SimplificationOptions {
+        SimplificationOptions { all_panes_must_have_tabs: true, ..SimplificationOptions::default() }
+    }
+
+    fn gap_width(&self, _style: &egui::Style) -> f32 {
+        3.0
+    }
+
+    fn min_size(&self) -> f32 {
+        80.0
+    }
+
+    fn tab_bar_color(&self, visuals: &egui::Visuals) -> Color32 {
+        visuals.extreme_bg_color
+    }
+
+    fn tab_bg_color(
+        &self,
+        visuals: &egui::Visuals,
+        _: &Tiles<Pane>,
+        _: TileId,
+        state: &egui_tiles::TabState,
+    ) -> Color32 {
+        if state.active { visuals.panel_fill } else { Color32::TRANSPARENT }
+    }
+
+    fn tab_outline_stroke(
+        &self,
+        _: &egui::Visuals,
+        _: &Tiles<Pane>,
+        _: TileId,
+        _: &egui_tiles::TabState,
+    ) -> egui::Stroke {
+        egui::Stroke::NONE
+    }
+}
+
+/// A small button that is only an icon, found by `name`.
+pub(in crate::editor) fn icon_button(ui: &mut Ui, icon: MaterialIcon, color: Color32, name: &str) -> Response {
+    let button = Button::new(icon.rich_text().size(15.0).color(color)).frame(false).min_size(vec2(20.0, 20.0));
+    ui.add(button).on_hover_text(name).accessible_name(name)
+}
