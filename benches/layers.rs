@@ -81,6 +81,7 @@ fn layer_time(context: &Context, shape: &Shape, method: Method) -> Duration {
     for _ in 0..RUNS {
         for light in &mut scene.lights {
             light.position.x += 0.01;
+            light.rotation_deg.x += 0.1;
         }
         moved = moved.min(time(&scene));
         for light in &mut scene.lights {

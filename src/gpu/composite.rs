@@ -14,12 +14,14 @@ use std::f64::consts::PI;
 
 /// Radiance, cd/m².
 const RADIANCE: wgpu::TextureFormat = wgpu::TextureFormat::Rgba32Float;
+/// The tone curve's output, 0…1.
+const DISPLAY: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
 /// sRGB-encoded already, which is what egui shows.
 const PICTURE: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 /// Layers that one pass sums.
 const BATCH: usize = 8;
 
-/// All that radiance depends on beside the layers. Equal mixes of the same layers give equal radiance.
+/// All that a picture depends on beside the layers. Equal mixes of the same layers give equal pictures.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Mix {
     /// Each light that contributes, and its weight.
@@ -27,6 +29,8 @@ pub(crate) struct Mix {
     reflectances: Vec<Reflectance>,
     emitters: Vec<VisibleEmitter>,
     emitter_vertices: Vec<[f32; 4]>,
+    /// 2^exposure / 100
+    exposure: f32,
 }
 
 impl Mix {
@@ -43,7 +47,13 @@ impl Mix {
             // Of surfaces whose material is missing.
             .chain([Reflectance::default()])
             .collect();
-        let mut mix = Self { lights, reflectances, emitters: Vec::new(), emitter_vertices: Vec::new() };
+        let mut mix = Self {
+            lights,
+            reflectances,
+            emitters: Vec::new(),
+            emitter_vertices: Vec::new(),
+            exposure: f32_of(view.exposure_ev.exp2() / 100.0),
+        };
         if view.show_emitters {
             for light in scene.lights.iter().filter(|light| !light.muted) {
                 mix.add_emitter(&light.emitter(), light.weight(), view.camera.eye);
@@ -75,23 +85,28 @@ impl Mix {
     }
 }
 
-/// A running mean of radiance, and the picture made of it.
+/// Samples summed to means, and the picture made of them.
 #[derive(Debug)]
 pub(crate) struct Picture {
     size: [u32; 2],
-    /// Written in turn.
-    radiance: [Target; 2],
+    /// Radiance of the sample in work; batches are written to each in turn.
+    sample: [Target; 2],
+    /// Mean radiance and mean of the tone curve's output; samples are written to each in turn.
+    means: [[Target; 2]; 2],
     current: usize,
     picture: Target,
 }
 
 impl Picture {
     pub(crate) fn new(device: &wgpu::Device, size: [u32; 2]) -> Self {
+        let target = |format| Target::new(device, size, format);
+        let means = || [target(RADIANCE), target(DISPLAY)];
         Self {
             size,
-            radiance: [Target::new(device, size, RADIANCE), Target::new(device, size, RADIANCE)],
+            sample: [target(RADIANCE), target(RADIANCE)],
+            means: [means(), means()],
             current: 0,
-            picture: Target::new(device, size, PICTURE),
+            picture: target(PICTURE),
         }
     }
 
@@ -102,7 +117,7 @@ impl Picture {
 
     /// The mean so far.
     pub(crate) fn radiance(&self) -> &Target {
-        &self.radiance[self.current]
+        &self.means[self.current][0]
     }
 
     /// Exposed, tone-mapped, encoded.
@@ -128,11 +143,11 @@ impl CompositePass {
         use Binding::{Storage, Texture, Uniform};
         let scene_layout = pass::bind_group_layout(device, &[Texture, Texture, Storage, Storage, Storage]);
         let batch_layout = pass::bind_group_layout(device, &[&[Uniform, Texture][..], &[Texture; BATCH]].concat());
-        let tone_layout = pass::bind_group_layout(device, &[Texture, Uniform]);
+        let tone_layout = pass::bind_group_layout(device, &[Texture, Texture, Texture, Uniform]);
         let [sum, tone] = Self::sources();
         Self {
             sum: pass::pipeline(device, &sum, "composite", &[&scene_layout, &batch_layout], &[RADIANCE]),
-            tone: pass::pipeline(device, &tone, "tone", &[&tone_layout], &[PICTURE]),
+            tone: pass::pipeline(device, &tone, "tone", &[&tone_layout], &[RADIANCE, DISPLAY, PICTURE]),
             scene_layout,
             batch_layout,
             tone_layout,
@@ -145,37 +160,57 @@ impl CompositePass {
         [Module::COMPOSITE, Module::TONE].map(|module| Source::join(&[Module::FULLSCREEN, module]))
     }
 
-    /// Adds sample number `count` (from 1) to the mean; the first starts it anew.
+    /// Adds sample number `count` (from 1) to the picture; the first starts it anew.
     pub(crate) fn accumulate(
         &self,
         device: &wgpu::Device,
         encoder: &mut wgpu::CommandEncoder,
         sample: &Sample,
         mix: &Mix,
-        count: u32,
+        count: u16,
         picture: &mut Picture,
     ) {
         let Some(gbuffer) = sample.gbuffer() else { return };
         let scene = self.scene_group(device, gbuffer, mix);
-        let take = f32_of(f64::from(count).recip());
         let batches = mix.lights.len().div_ceil(BATCH).max(1);
         for batch in 0..batches {
             let lights = &mix.lights[batch * BATCH..mix.lights.len().min((batch + 1) * BATCH)];
             let mut uniform = Composite {
-                keep: if batch == 0 { 1.0 - take } else { 1.0 },
-                take,
-                first: u32::from(batch == 0),
+                adds: u32::from(batch > 0),
                 emitter_count: u32_of(mix.emitters.len()),
                 ..Default::default()
             };
             for (slot, (_, weight)) in uniform.weights.iter_mut().zip(lights) {
                 *slot = *weight;
             }
-            let group = self.batch_group(device, &uniform, sample, lights, picture.radiance());
-            let next = 1 - picture.current;
-            pass::run(encoder, &self.sum, &[&scene, &group], &[&picture.radiance[next].view]);
-            picture.current = next;
+            let [before, after] = [batch + 1, batch].map(|i| &picture.sample[i % 2]);
+            let group = self.batch_group(device, &uniform, sample, lights, before);
+            pass::run(encoder, &self.sum, &[&scene, &group], &[&after.view]);
         }
+        let settings = Tone { exposure: mix.exposure, share: f32::from(count).recip() };
+        self.tone(device, encoder, settings, (batches - 1) % 2, picture);
+    }
+
+    /// Makes the picture, with `picture.sample[latest]` in its means.
+    fn tone(
+        &self,
+        device: &wgpu::Device,
+        encoder: &mut wgpu::CommandEncoder,
+        settings: Tone,
+        latest: usize,
+        picture: &mut Picture,
+    ) {
+        let settings = pass::uniform(device, &settings);
+        let [before, after] = [&picture.means[picture.current], &picture.means[1 - picture.current]];
+        let resources = [
+            wgpu::BindingResource::TextureView(&picture.sample[latest].view),
+            wgpu::BindingResource::TextureView(&before[0].view),
+            wgpu::BindingResource::TextureView(&before[1].view),
+            settings.as_entire_binding(),
+        ];
+        let group = pass::bind_group(device, &self.tone_layout, &resources);
+        pass::run(encoder, &self.tone, &[&group], &[&after[0].view, &after[1].view, &picture.picture.view]);
+        picture.current = 1 - picture.current;
     }
 
     fn scene_group(&self, device: &wgpu::Device, gbuffer: &GBuffer, mix: &Mix) -> wgpu::BindGroup {
@@ -206,19 +241,5 @@ impl CompositePass {
         let layers = layers.chain(std::iter::repeat(&self.no_layer)).take(BATCH);
         resources.extend(layers.map(|layer| wgpu::BindingResource::TextureView(&layer.view)));
         pass::bind_group(device, &self.batch_layout, &resources)
-    }
-
-    /// Exposes the mean radiance and makes the picture of it.
-    pub(crate) fn tone(
-        &self,
-        device: &wgpu::Device,
-        encoder: &mut wgpu::CommandEncoder,
-        exposure_ev: f64,
-        picture: &Picture,
-    ) {
-        let settings = pass::uniform(device, &Tone { exposure: f32_of(exposure_ev.exp2() / 100.0) });
-        let resources = [wgpu::BindingResource::TextureView(&picture.radiance().view), settings.as_entire_binding()];
-        let group = pass::bind_group(device, &self.tone_layout, &resources);
-        pass::run(encoder, &self.tone, &[&group], &[&picture.picture.view]);
     }
 }

@@ -22,6 +22,6 @@ mod types;
 mod view;
 
 pub use context::{Context, GpuError, device_descriptor};
-pub use preview::Preview;
+pub use preview::{Preview, picture};
 pub use read_back::{Pixels, ReadBackError};
 pub use view::{Stats, View};

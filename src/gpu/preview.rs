@@ -1,5 +1,6 @@
 //! The live picture of a scene: redoes what changed, and nothing else.
 
+use super::Context;
 use super::composite::{CompositePass, Mix, Picture};
 use super::gbuffer::{GBufferPass, Seen};
 use super::layers::{LayerPass, Sample, Wanted};
@@ -16,8 +17,8 @@ const SAMPLES: u16 = 8;
 /// The live picture of a scene.
 ///
 /// Work follows change: the G-buffer is redone when the camera, the size or a surface changes; a light's layer when
-/// that light's emitter, its method, a lobe or the G-buffer changes; the sum of the layers when a weight or a material
-/// changes; and nothing at all when nothing did. What to compare is the very data that the shaders read.
+/// that light's emitter, its method, a lobe or the G-buffer changes; the sum of the layers when a weight, a material or
+/// the exposure changes; and nothing at all when nothing did. What to compare is the very data that the shaders read.
 #[derive(Debug)]
 pub struct Preview {
     gbuffer_pass: GBufferPass,
@@ -28,7 +29,6 @@ pub struct Preview {
     /// Off the centres: what smooths a still picture.
     jittered: Sample,
     mix: Option<Mix>,
-    exposure_ev: Option<f64>,
     picture: Picture,
     /// In the picture's mean.
     samples: u16,
@@ -45,7 +45,6 @@ impl Preview {
             centred: Sample::default(),
             jittered: Sample::default(),
             mix: None,
-            exposure_ev: None,
             picture: Picture::new(device, [1, 1]),
             samples: 0,
             stats: Stats::default(),
@@ -73,7 +72,7 @@ impl Preview {
             self.samples = 0;
         }
         let before = self.samples;
-        if self.samples == 0 {
+        if before == 0 {
             self.accumulate(device, &mut encoder, &mix, false);
         } else if view.refine && !self.is_converged() {
             let jitter = jitter(self.samples);
@@ -83,10 +82,7 @@ impl Preview {
             self.accumulate(device, &mut encoder, &mix, true);
         }
         self.mix = Some(mix);
-        if self.samples != before || self.exposure_ev != Some(view.exposure_ev) {
-            self.composite_pass.tone(device, &mut encoder, view.exposure_ev, &self.picture);
-            self.exposure_ev = Some(view.exposure_ev);
-            self.stats.tones += 1;
+        if self.samples != before {
             queue.submit([encoder.finish()]);
         }
         &self.picture.picture().view
@@ -95,7 +91,7 @@ impl Preview {
     fn accumulate(&mut self, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder, mix: &Mix, jittered: bool) {
         let sample = if jittered { &self.jittered } else { &self.centred };
         self.samples += 1;
-        self.composite_pass.accumulate(device, encoder, sample, mix, self.samples.into(), &mut self.picture);
+        self.composite_pass.accumulate(device, encoder, sample, mix, self.samples, &mut self.picture);
         self.stats.composites += 1;
     }
 
@@ -117,6 +113,20 @@ impl Preview {
     pub fn read_back(&self, device: &wgpu::Device, queue: &wgpu::Queue) -> Result<Pixels, ReadBackError> {
         read_back::pixels(device, queue, &self.picture)
     }
+}
+
+/// A finished picture of a scene: converged where the view asks for refinement, else one sample a pixel.
+///
+/// # Errors
+///
+/// [`ReadBackError`] where the device was lost.
+pub fn picture(context: &Context, scene: &Scene, view: &View) -> Result<Pixels, ReadBackError> {
+    let mut preview = Preview::new(&context.device, &context.queue);
+    preview.render(&context.device, &context.queue, scene, view);
+    while view.refine && !preview.is_converged() {
+        preview.render(&context.device, &context.queue, scene, view);
+    }
+    preview.read_back(&context.device, &context.queue)
 }
 
 /// The lobe of each material, and one for surfaces whose material is missing.

@@ -106,10 +106,9 @@ gpu_structs! {
 
     /// One batch of the composite.
     Composite {
-        keep: f32,
-        take: f32,
-        first: u32,
+        adds: u32,
         emitter_count: u32,
+        unused: [u32; 2],
         weights: [[f32; 4]; 8],
     }
 
@@ -143,6 +142,7 @@ gpu_structs! {
     /// What the tone curve needs.
     Tone {
         exposure: f32,
+        share: f32,
     }
 }
 

@@ -27,8 +27,6 @@ pub struct Stats {
     pub g_buffers: u64,
     /// Passes that shaded one light.
     pub layers: u64,
-    /// Sums of the layers.
+    /// Sums of the layers, exposed and tone-mapped.
     pub composites: u64,
-    /// Exposures and tone curves.
-    pub tones: u64,
 }

@@ -2,6 +2,7 @@
 //!
 //! These tests need an adapter, software or not, and fail without one.
 
+mod agreement;
 mod tracking;
 mod twins;
 

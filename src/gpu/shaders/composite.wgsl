@@ -1,12 +1,10 @@
-// Light layers, weighed and summed to radiance, with the emitters that are seen; a running mean over samples.
+// Light layers, weighed and summed to radiance, with the emitters that are seen.
 
 struct Composite {
-    // out = keep · before + take · (this batch)
-    keep: f32,
-    take: f32,
-    // The batch that also draws the emitters.
-    first: u32,
+    // Not the first batch: it adds to `before`, where the emitters are drawn already.
+    adds: u32,
     emitter_count: u32,
+    unused: vec2u,
     // Strength times tint of each layer.
     weights: array<vec4f, 8>,
 }
@@ -49,19 +47,18 @@ fn composite(@builtin(position) pixel: vec4f) -> @location(0) vec4f {
     let at = vec2i(pixel.xy);
     let position = textureLoad(positions, at, 0);
     var radiance = vec3f();
+    if composite_batch.adds == 1u {
+        radiance = textureLoad(before, at, 0).xyz;
+    }
     let emitter = emitter_seen(position);
     if emitter.w > 0.0 {
-        radiance = select(vec3f(), emitter.xyz, composite_batch.first == 1u);
+        radiance = emitter.xyz;
     } else if position.w > 0.0 {
         let reflectance = reflectances[u32(textureLoad(normals, at, 0).w)];
         let light = sum_of_layers(at);
-        radiance = reflectance.diffuse_over_pi * light.irradiance + reflectance.specular * light.specular;
+        radiance += reflectance.diffuse_over_pi * light.irradiance + reflectance.specular * light.specular;
     }
-    let sample = vec4f(composite_batch.take * radiance, 1.0);
-    if composite_batch.keep == 0.0 {
-        return sample;
-    }
-    return vec4f(sample.xyz + composite_batch.keep * textureLoad(before, at, 0).xyz, 1.0);
+    return vec4f(radiance, 1.0);
 }
 
 struct ColoredResponse {

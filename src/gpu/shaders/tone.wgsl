@@ -1,17 +1,36 @@
-// Exposure, the Khronos PBR Neutral tone curve and sRGB encoding, as `render::tone` does.
+// Exposure, the Khronos PBR Neutral tone curve and sRGB encoding, as `render::tone` does; running means over samples.
 
 struct Tone {
     // 2^exposure / 100
     exposure: f32,
+    // The sample's share of the mean; 1 starts it.
+    share: f32,
 }
 
-@group(0) @binding(0) var radiance: texture_2d<f32>;
-@group(0) @binding(1) var<uniform> tone_settings: Tone;
+@group(0) @binding(0) var sample_radiance: texture_2d<f32>;
+@group(0) @binding(1) var radiance_before: texture_2d<f32>;
+@group(0) @binding(2) var display_before: texture_2d<f32>;
+@group(0) @binding(3) var<uniform> tone_settings: Tone;
+
+struct Resolved {
+    // Mean radiance.
+    @location(0) radiance: vec4f,
+    // Mean of what the tone curve makes of each sample, so that the edge of a bright light is smooth.
+    @location(1) display: vec4f,
+    // The same, encoded.
+    @location(2) picture: vec4f,
+}
 
 @fragment
-fn tone(@builtin(position) pixel: vec4f) -> @location(0) vec4f {
-    let exposed = tone_settings.exposure * textureLoad(radiance, vec2i(pixel.xy), 0).xyz;
-    return vec4f(srgb_encode(pbr_neutral(exposed)), 1.0);
+fn tone(@builtin(position) pixel: vec4f) -> Resolved {
+    let at = vec2i(pixel.xy);
+    var radiance = textureLoad(sample_radiance, at, 0).xyz;
+    var display = pbr_neutral(tone_settings.exposure * radiance);
+    if tone_settings.share < 1.0 {
+        radiance = mix(textureLoad(radiance_before, at, 0).xyz, radiance, tone_settings.share);
+        display = mix(textureLoad(display_before, at, 0).xyz, display, tone_settings.share);
+    }
+    return Resolved(vec4f(radiance, 1.0), vec4f(display, 1.0), vec4f(srgb_encode(display), 1.0));
 }
 
 fn pbr_neutral(color: vec3f) -> vec3f {

@@ -1,0 +1,142 @@
+//! The GPU's picture is the CPU's.
+
+use std::fmt;
+use std::path::Path;
+
+use glam::DVec3;
+use softbox::gpu::{View, picture};
+use softbox::render::{Film, Geometry, MethodChoice, Progress, Settings, Thing, render};
+use softbox::scene::{self, Scene};
+use softbox::shading::Method;
+
+use crate::CONTEXT;
+
+const SIZE: [u32; 2] = [240, 135];
+
+/// Worst differences between two pictures as shares of the peak, and how much they cover.
+#[derive(Default)]
+struct Difference {
+    /// Of pixels whose neighbours all show the same smooth piece of surface.
+    interior: f64,
+    /// Where `interior` is.
+    at: [u32; 2],
+    /// Share of the pixels whose neighbours show something else.
+    edges: f64,
+    /// Share of the edge pixels that differ by more than `interior` may.
+    crossed: f64,
+    /// Greatest difference of an 8-bit channel in the interior.
+    levels: u8,
+}
+
+impl fmt::Display for Difference {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { interior, at: [x, y], edges, crossed, levels } = self;
+        let (edges, crossed) = (100.0 * edges, 100.0 * crossed);
+        write!(
+            f,
+            "worst {interior:.2e} of the peak at {x}, {y} and {levels} levels; {edges:.1} % edge pixels, {crossed:.2} % of them differ"
+        )
+    }
+}
+
+/// The most that an interior pixel may differ, as a share of the peak.
+const TOLERANCE: f64 = 1.0 / 1024.0;
+/// The most edge pixels that may differ by more, as a share of them: f32 decides a few rays otherwise.
+const CROSSED: f64 = 0.02;
+
+#[track_caller]
+fn check(name: &str, scene: &Scene, method: Method) {
+    let difference = difference(scene, method);
+    println!("{name}, {method}: {difference}");
+    assert!(difference.interior <= TOLERANCE, "{name}, {method}: {difference}");
+    assert!(difference.levels <= 1, "{name}, {method}: {difference}");
+    assert!(difference.crossed <= CROSSED, "{name}, {method}: {difference}");
+}
+
+fn difference(scene: &Scene, method: Method) -> Difference {
+    let settings = Settings { size: SIZE, choice: MethodChoice::Method(method), samples: 1 };
+    let film = render(scene, &settings, &Progress::default()).expect("nobody cancels");
+    let view = View {
+        camera: scene.camera,
+        size: SIZE,
+        method,
+        exposure_ev: scene.display.exposure_ev,
+        show_emitters: true,
+        refine: false,
+    };
+    let pixels = picture(&CONTEXT, scene, &view).expect("the picture comes back");
+    compare(scene, &film, &pixels.radiance, &pixels.srgb)
+}
+
+fn compare(scene: &Scene, film: &Film, radiance: &[[f32; 3]], srgb: &[[u8; 4]]) -> Difference {
+    let seen = Seen::new(scene);
+    let on_surface = |index: usize| matches!(seen.0[index], Some((Thing::Surface(_), _)));
+    let peak = (0..radiance.len())
+        .filter(|index| on_surface(*index))
+        .map(|index| film.radiance()[index].max_element())
+        .fold(f64::MIN_POSITIVE, f64::max);
+    let mut difference = Difference::default();
+    let (mut edges, mut crossed) = (0.0, 0.0);
+    for (index, (cpu, gpu)) in film.radiance().iter().zip(radiance).enumerate() {
+        let gpu = DVec3::from_array(gpu.map(f64::from));
+        let scale = if on_surface(index) { peak } else { peak.max(cpu.max_element()) };
+        let error = (gpu - cpu).abs().max_element() / scale;
+        assert!(error.is_finite(), "pixel {index} is {gpu}");
+        if seen.is_edge(index) {
+            edges += 1.0;
+            crossed += f64::from(error > TOLERANCE);
+        } else {
+            let levels = film.srgb()[index].iter().zip(&srgb[index]).map(|(a, b)| a.abs_diff(*b));
+            difference.levels = levels.fold(difference.levels, u8::max);
+            if error > difference.interior {
+                difference.interior = error;
+                difference.at = Seen::place(index);
+            }
+        }
+    }
+    difference.edges = edges / radiance.len() as f64;
+    difference.crossed = if edges > 0.0 { crossed / edges } else { 0.0 };
+    difference
+}
+
+/// What each pixel's centre shows, and its normal.
+struct Seen(Vec<Option<(Thing, DVec3)>>);
+
+impl Seen {
+    fn new(scene: &Scene) -> Self {
+        let geometry = Geometry::new(scene);
+        let [width, height] = SIZE.map(f64::from);
+        let pixels = (0..SIZE[1]).flat_map(|y| (0..SIZE[0]).map(move |x| (f64::from(x) + 0.5, f64::from(y) + 0.5)));
+        let seen = pixels.map(|(x, y)| {
+            let seen = geometry.nearest(scene.camera.eye, scene.camera.ray_direction(x, y, width, height))?;
+            Some((seen.thing, seen.n))
+        });
+        Self(seen.collect())
+    }
+
+    fn place(index: usize) -> [u32; 2] {
+        let width = SIZE[0] as usize;
+        [index % width, index / width].map(|x| u32::try_from(x).expect("a picture is small"))
+    }
+
+    /// Whether a neighbour shows another thing, or a normal more than 60° away.
+    fn is_edge(&self, index: usize) -> bool {
+        let [x, y] = Self::place(index);
+        let ys = y.saturating_sub(1)..=(y + 1).min(SIZE[1] - 1);
+        let mut neighbours = ys.flat_map(|y| (x.saturating_sub(1)..=(x + 1).min(SIZE[0] - 1)).map(move |x| (x, y)));
+        neighbours.any(|(x, y)| match (self.0[index], self.0[(y * SIZE[0] + x) as usize]) {
+            (Some((thing, n)), Some((other, m))) => thing != other || n.dot(m) < 0.5,
+            (None, None) => false,
+            _ => true,
+        })
+    }
+}
+
+#[test]
+fn every_primitive_and_light_looks_the_same() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/everything.toml");
+    let scene = scene::load(&path).expect("the scene loads");
+    for method in ["point-cluster", "point"] {
+        check("everything", &scene, method.parse().expect("a method"));
+    }
+}
