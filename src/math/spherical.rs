@@ -9,6 +9,15 @@ pub fn azimuth_between(axis: DVec3, u: DVec3, v: DVec3) -> f64 {
     axis.dot(u.cross(v)).atan2(axis.cross(u).dot(axis.cross(v)))
 }
 
+/// The signed solid angle of the triangle of three directions of any length, −2π…2π.
+///
+/// tan(Ω/2) = u·(v × w)/(|u||v||w| + |u|(v·w) + |v|(w·u) + |w|(u·v)), after van Oosterom and Strackee (1983).
+pub fn triangle_solid_angle(u: DVec3, v: DVec3, w: DVec3) -> f64 {
+    let (length_u, length_v, length_w) = (u.length(), v.length(), w.length());
+    let cosines = length_u * v.dot(w) + length_v * w.dot(u) + length_w * u.dot(v);
+    2.0 * u.dot((v - u).cross(w - u)).atan2(length_u * length_v * length_w + cosines)
+}
+
 /// A directed segment that subtends an arc at the origin.
 pub type Edge = (DVec3, DVec3);
 
