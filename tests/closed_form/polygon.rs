@@ -27,7 +27,7 @@ fn polygon_irradiance_matches_the_reference_cases() {
         let value = polygon_irradiance(&vertices, p, case.direction("N")) / PI;
         worst.check(&case, value, case.value("expected"), (solid_angle(&vertices, p) / PI).min(1.0));
     }
-    worst.finish("polygon_irradiance", 2e-11, 2e-11);
+    worst.finish("polygon_irradiance", 1e-13, 1e-12);
 }
 
 #[test]
@@ -38,7 +38,7 @@ fn polygon_phong_matches_the_reference_cases() {
         let value = polygon_phong(&vertices, p, case.direction("N"), case.direction("R"), m);
         worst.check(&case, value, case.value("expected"), lobe_scale(&vertices, p, m));
     }
-    worst.finish("polygon_phong", 1e-11, 1e-10);
+    worst.finish("polygon_phong", 5e-12, 1e-10);
 }
 
 #[test]
@@ -49,5 +49,5 @@ fn polygon_phong_unclipped_matches_the_reference_cases() {
         let value = polygon_phong_unclipped(&vertices, p, case.direction("R"), m);
         worst.check(&case, value, case.value("expected"), lobe_scale(&vertices, p, m));
     }
-    worst.finish("polygon_phong_unclipped", 2e-11, 5e-11);
+    worst.finish("polygon_phong_unclipped", 1e-13, 1e-10);
 }

@@ -79,8 +79,6 @@ struct Arc {
     phi: f64,
     /// Angle subtended.
     theta: f64,
-    /// Signed solid angle of the triangle of r and the arc's ends.
-    sector: f64,
 }
 
 /// Where z^(m+1) is less than e^-CUT it is nothing beside 1.
@@ -93,14 +91,11 @@ impl Arc {
         (sine > 0.0).then(|| {
             // The cross product loses its direction when the edge passes close by.
             let normal = normal.map_or(cross / sine, |n| n * cross.dot(n).signum());
-            let (length_a, length_b) = (a.length(), b.length());
-            let cosines = length_a * length_b + a.dot(b) + length_b * r.dot(a) + length_a * r.dot(b);
             Self {
                 gamma: r.dot(normal),
                 rho: r.cross(normal).length(),
                 phi: r.dot(a.cross(normal)).atan2(r.dot(a)),
                 theta: sine.atan2(a.dot(b)),
-                sector: 2.0 * (sine * r.dot(normal)).atan2(cosines),
             }
         })
     }
@@ -130,7 +125,15 @@ impl Arc {
             edge_to *= z_to * z_to;
             sum += moment;
         }
-        self.gamma * sum + if even { self.sector } else { 0.0 }
+        self.gamma * sum + if even { self.solid_angle() } else { 0.0 }
+    }
+
+    /// The signed solid angle of the triangle of r and the arc, ∫ (1 − z) dψ.
+    fn solid_angle(&self) -> f64 {
+        let (from, to) = (self.phi, self.phi + self.theta);
+        let (s_from, s_to) = (self.rho * from.sin(), self.rho * to.sin());
+        let shaded = (self.gamma * (s_to - s_from)).atan2(self.gamma * self.gamma + s_from * s_to);
+        self.azimuth(from, to) - shaded
     }
 
     /// ∫ (1 − z^(m+1)) dψ for real m, by quadrature where z^(m+1) counts and in closed form elsewhere.
@@ -151,7 +154,7 @@ impl Arc {
         if cosine < 1.0 { ((1.0 - cosine) * (1.0 + cosine)).sqrt().atan2(cosine) } else { 0.0 }
     }
 
-    /// The change of ψ from φ = `from` to φ = `to`, which do not lie on both sides of r.
+    /// The change of ψ from φ = `from` to φ = `to`, less than a half turn away.
     fn azimuth(&self, from: f64, to: f64) -> f64 {
         let (sin_from, cos_from) = from.sin_cos();
         let (sin_to, cos_to) = to.sin_cos();
