@@ -33,6 +33,11 @@ impl Case {
         self.vector(name).normalize()
     }
 
+    /// A list of vectors among the inputs.
+    pub(crate) fn vectors(&self, name: &str) -> Vec<DVec3> {
+        self.0["inputs"][name].as_array().expect("a list of vectors").iter().map(vector).collect()
+    }
+
     /// A number among the inputs.
     pub(crate) fn number(&self, name: &str) -> f64 {
         self.0["inputs"][name].as_f64().expect("a number")
