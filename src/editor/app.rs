@@ -11,6 +11,7 @@ use super::files::{Files, Then, starting_scene};
 use super::panes::{self, Choice, Messages, Pane, Panes, Views};
 use super::session::Session;
 use super::theme;
+use super::viewport::Viewport;
 
 /// Where the arrangement of panes is kept between runs; another number where old arrangements no longer fit.
 const LAYOUT_KEY: &str = "layout-1";
@@ -43,7 +44,7 @@ impl App {
             files: Files::new(recent.unwrap_or_default()),
             dialogs,
             layout: layout.unwrap_or_else(panes::default_layout),
-            views: Views::default(),
+            views: Views { viewport: cc.wgpu_render_state.as_ref().map(Viewport::new), ..Views::default() },
             messages: Messages::default(),
             keys_shown: false,
             title: String::new(),

@@ -7,11 +7,14 @@ pub mod app;
 pub mod commands;
 pub mod dialogs;
 pub mod files;
+pub mod handles;
 pub mod jobs;
 pub mod panes;
 pub mod presets;
 pub mod session;
 pub mod theme;
+pub mod tools;
+pub mod viewport;
 
 mod edits;
 

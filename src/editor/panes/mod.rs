@@ -17,6 +17,7 @@ use egui_tiles::{Container, Linear, LinearDir, SimplificationOptions, TileId, Ti
 
 use super::commands::Command;
 use super::session::Session;
+use super::viewport::Viewport;
 
 /// One pane of the window.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
@@ -34,6 +35,8 @@ pub enum Pane {
 /// The panes' own state.
 #[derive(Default)]
 pub struct Views {
+    /// The view into the scene; none without a device to draw on.
+    pub viewport: Option<Viewport>,
     /// The list of what is in the scene.
     pub outliner: Outliner,
     /// The numbers of what is selected.
@@ -78,7 +81,11 @@ impl egui_tiles::Behavior<Pane> for Panes<'_> {
     fn pane_ui(&mut self, ui: &mut Ui, _tile_id: TileId, pane: &mut Pane) -> UiResponse {
         ui.painter().rect_filled(ui.max_rect(), 0.0, ui.visuals().panel_fill);
         match pane {
-            Pane::Viewport => {}
+            Pane::Viewport => {
+                if let Some(viewport) = &mut self.views.viewport {
+                    viewport.show(ui, self.session);
+                }
+            }
             Pane::Outliner => self.commands.extend(self.views.outliner.show(ui, self.session)),
             Pane::Inspector => self.views.inspector.show(ui, self.session),
             Pane::Problems => problems::show(ui, self.session),

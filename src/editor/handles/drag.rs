@@ -1,0 +1,313 @@
+//! What a thing becomes while one of its handles is dragged.
+
+use egui::{Pos2, Vec2};
+use glam::{DAffine3, DMat3, DVec2, DVec3};
+
+use super::Handle;
+use super::subject::Subject;
+use crate::editor::tools::new_light::line_placement;
+use crate::editor::tools::polygon::is_simple;
+use crate::editor::tools::work_plane::{snapped, snapped_to};
+use crate::editor::viewport::projection::Projection;
+use crate::editor::viewport::ray::Ray;
+use crate::light::{Polygon, Shape};
+use crate::math::frame;
+use crate::surface::Hit;
+
+/// How much slower a fine drag is.
+const FINE: f32 = 0.1;
+/// A rotation snaps to multiples of this, degrees.
+const ANGLE_STEP_DEG: f64 = 15.0;
+/// A scale snaps to multiples of this.
+const SCALE_STEP: f64 = 0.1;
+/// Nothing is scaled to less than this, nor has a smaller radius in metres.
+const LEAST: f64 = 0.01;
+/// Dragging this far, screen points, doubles the size.
+const DOUBLING: f64 = 100.0;
+/// A drag that would send a thing further than this, metres, is past the horizon.
+const HORIZON: f64 = 1e4;
+
+/// A handle held by the pointer.
+#[derive(Clone, Debug)]
+pub struct Drag {
+    handle: Handle,
+    start: Subject,
+    grabbed_at: Pos2,
+    pointer: Pos2,
+}
+
+/// What a drag makes of its thing.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Change {
+    /// The thing as it is to be.
+    To(Subject),
+    /// The thing as it would be, which may not be: a polygon that crosses itself.
+    Refused(Subject),
+}
+
+impl Drag {
+    /// `handle` of `subject`, taken hold of at `pos`.
+    pub fn new(handle: Handle, subject: Subject, pos: Pos2) -> Self {
+        Self { handle, start: subject, grabbed_at: pos, pointer: pos }
+    }
+
+    /// Which handle is held.
+    pub fn handle(&self) -> Handle {
+        self.handle
+    }
+
+    /// What an undo step made by this drag is called.
+    pub fn label(&self) -> &'static str {
+        match self.handle {
+            Handle::Axis(_) | Handle::Plane(_) => "Move",
+            Handle::Ring(_) => "Rotate",
+            Handle::Stretch(_) | Handle::Scale => "Scale",
+            Handle::Vertex(_) => "Move vertex",
+            Handle::Edge(_) => "Move edge",
+            Handle::End(_) => "Move end",
+            Handle::Radius => "Change radius",
+            Handle::Probe => "Move probe",
+        }
+    }
+
+    /// The pointer has moved by `delta`; `fine` slows it down.
+    pub fn pull(&mut self, delta: Vec2, fine: bool) {
+        self.pointer += if fine { FINE * delta } else { delta };
+    }
+
+    /// The thing as the pointer has it now; `snap` is the spacing of the grid it sticks to, `under` the surface under a
+    /// point of the screen. `None` where the pointer says nothing, as past the horizon.
+    pub fn change(
+        &self,
+        projection: &Projection,
+        snap: Option<f64>,
+        under: impl FnOnce(&Ray) -> Option<Hit>,
+    ) -> Option<Change> {
+        let pull = Pull { rays: [projection.ray(self.grabbed_at), projection.ray(self.pointer)], snap };
+        let start = &self.start;
+        match self.handle {
+            Handle::Axis(axis) => pull.along(start.position(), axis).map(|p| Change::To(start.clone().at(p))),
+            Handle::Plane(normal) => pull.across(start.position(), normal).map(|p| Change::To(start.clone().at(p))),
+            Handle::Ring(axis) => pull.turned(start, axis),
+            Handle::Stretch(axis) => pull.stretched(start, axis),
+            Handle::Scale => {
+                let drag = self.pointer - self.grabbed_at;
+                pull.scaled(start, 2.0_f64.powf(f64::from(drag.x - drag.y) / DOUBLING), [0, 1, 2].as_slice())
+            }
+            Handle::Vertex(i) => pull.vertex(start, i),
+            Handle::Edge(i) => pull.edge(start, i),
+            Handle::End(i) => pull.end(start, i, projection),
+            Handle::Radius => pull.radius(start, projection),
+            Handle::Probe => pull.probe(start, under),
+        }
+    }
+}
+
+/// Where the pointer took hold and where it is, as rays.
+struct Pull {
+    rays: [Ray; 2],
+    snap: Option<f64>,
+}
+
+impl Pull {
+    fn snapped(&self, value: f64) -> f64 {
+        self.snap.map_or(value, |step| snapped_to(value, step))
+    }
+
+    /// How far apart the two rays meet a plane.
+    fn shift(&self, point: DVec3, normal: DVec3) -> Option<DVec3> {
+        let [from, to] = self.rays.map(|ray| ray.drag_on_plane(point, normal));
+        let shift = to? - from?;
+        (shift.length() < HORIZON).then_some(shift)
+    }
+
+    /// Where the rays come closest to an axis.
+    fn stations(&self, point: DVec3, axis: DVec3) -> Option<[f64; 2]> {
+        let [from, to] = self.rays.map(|ray| ray.closest_on_axis(point, axis));
+        let stations = [from?, to?];
+        stations.iter().all(|s| s.abs() < HORIZON).then_some(stations)
+    }
+
+    /// `position` moved along a world axis.
+    fn along(&self, position: DVec3, axis: usize) -> Option<DVec3> {
+        let [from, to] = self.stations(position, DVec3::AXES[axis])?;
+        let mut moved = position;
+        moved[axis] = self.snapped(position[axis] + to - from);
+        Some(moved)
+    }
+
+    /// `position` moved in the plane whose normal is a world axis.
+    fn across(&self, position: DVec3, normal: usize) -> Option<DVec3> {
+        let shift = self.shift(position, DVec3::AXES[normal])?;
+        let mut moved = position;
+        for axis in [(normal + 1) % 3, (normal + 2) % 3] {
+            moved[axis] = self.snapped(position[axis] + shift[axis]);
+        }
+        Some(moved)
+    }
+
+    /// Turned about the thing's own axis, by the angle between the points held in the ring's plane.
+    fn turned(&self, start: &Subject, axis: usize) -> Option<Change> {
+        let rotation = start.rotation();
+        let normal = rotation.col(axis);
+        let [from, to] = self.rays.map(|ray| ray.drag_on_plane(start.position(), normal));
+        let [from, to] = [from? - start.position(), to? - start.position()];
+        let mut angle = from.cross(to).dot(normal).atan2(from.dot(to));
+        if self.snap.is_some() {
+            angle = snapped_to(angle.to_degrees(), ANGLE_STEP_DEG).to_radians();
+        }
+        let turn = DMat3::from_axis_angle(normal, angle);
+        Some(Change::To(start.clone().turned(turn * rotation)))
+    }
+
+    /// Scaled along one of the thing's own axes, in the ratio of the points held.
+    fn stretched(&self, start: &Subject, axis: usize) -> Option<Change> {
+        let [from, to] = self.stations(start.position(), start.rotation().col(axis))?;
+        if from.abs() < 1e-9 {
+            return None;
+        }
+        self.scaled(start, to / from, &[axis])
+    }
+
+    /// Scaled by `factor` along some of the thing's own axes.
+    fn scaled(&self, start: &Subject, factor: f64, axes: &[usize]) -> Option<Change> {
+        let factor = if self.snap.is_some() { snapped_to(factor, SCALE_STEP) } else { factor };
+        if !factor.is_finite() {
+            return None;
+        }
+        let factor = factor.max(LEAST);
+        let mut factors = DVec3::ONE;
+        for axis in axes {
+            factors[*axis] = factor;
+        }
+        let mut scaled = start.clone();
+        match &mut scaled {
+            Subject::Light(light) => match &mut light.shape {
+                Shape::Polygon(polygon) => polygon.vertices.iter_mut().for_each(|v| *v *= factors.truncate()),
+                Shape::Line(line) => line.length *= factors.x,
+                Shape::Sphere(sphere) => sphere.radius *= factor,
+                Shape::Point(_) | Shape::Directional(_) => {}
+            },
+            Subject::Surface(surface) => surface.scale *= factors,
+            Subject::Probe(_) => {}
+        }
+        Some(Change::To(scaled))
+    }
+
+    /// A polygon's vertex moved in its plane.
+    fn vertex(&self, start: &Subject, index: usize) -> Option<Change> {
+        self.reshaped(start, |polygon, world_from_light| {
+            let vertex = polygon.vertices.get(index)?;
+            let shift = self.shift_in_plane(world_from_light, *vertex)?;
+            let moved = self.snapped_in_plane(world_from_light, *vertex + shift);
+            *polygon.vertices.get_mut(index)? = moved;
+            Some(())
+        })
+    }
+
+    /// A polygon's edge moved along its normal, in its plane.
+    fn edge(&self, start: &Subject, index: usize) -> Option<Change> {
+        self.reshaped(start, |polygon, world_from_light| {
+            let next = (index + 1) % polygon.vertices.len().max(1);
+            let (a, b) = (*polygon.vertices.get(index)?, *polygon.vertices.get(next)?);
+            let normal = (b - a).perp().try_normalize()?;
+            let middle = a.midpoint(b);
+            let along_normal = |shift: DVec2| shift.dot(normal) * normal;
+            let shift = along_normal(self.shift_in_plane(world_from_light, middle)?);
+            let shift = along_normal(self.snapped_in_plane(world_from_light, middle + shift) - middle);
+            polygon.vertices[index] += shift;
+            polygon.vertices[next] += shift;
+            Some(())
+        })
+    }
+
+    /// A polygon changed by `change`, refused where it crosses itself.
+    fn reshaped(&self, start: &Subject, change: impl FnOnce(&mut Polygon, &DAffine3) -> Option<()>) -> Option<Change> {
+        let Subject::Light(light) = start else { return None };
+        let mut light = light.clone();
+        let world_from_light = light.world_from_light();
+        let Shape::Polygon(polygon) = &mut light.shape else { return None };
+        change(polygon, &world_from_light)?;
+        let simple = is_simple(&polygon.vertices);
+        let subject = Subject::Light(light);
+        Some(if simple { Change::To(subject) } else { Change::Refused(subject) })
+    }
+
+    /// How far the pointer has moved in a light's own XY plane, held at `at`.
+    fn shift_in_plane(&self, world_from_light: &DAffine3, at: DVec2) -> Option<DVec2> {
+        let p = world_from_light.transform_point3(at.extend(0.0));
+        let shift = self.shift(p, world_from_light.matrix3.z_axis)?;
+        Some((world_from_light.matrix3.transpose() * shift).truncate())
+    }
+
+    /// A point of a light's own XY plane on the grid: the world's where the plane is level, else the plane's own.
+    fn snapped_in_plane(&self, world_from_light: &DAffine3, at: DVec2) -> DVec2 {
+        let Some(step) = self.snap else { return at };
+        let level = world_from_light.matrix3.z_axis.truncate().length() < 1e-9;
+        if !level {
+            return snapped(at, step);
+        }
+        let p = world_from_light.transform_point3(at.extend(0.0));
+        let on_grid = snapped(p.truncate(), step).extend(p.z);
+        world_from_light.inverse().transform_point3(on_grid).truncate()
+    }
+
+    /// A line's end moved: on its level where that is seen well, else in the plane that faces the eye.
+    fn end(&self, start: &Subject, index: usize, projection: &Projection) -> Option<Change> {
+        let Subject::Light(light) = start else { return None };
+        let mut light = light.clone();
+        let Shape::Line(line) = &mut light.shape else { return None };
+        let half = 0.5 * line.length * frame::rotation_from_deg(light.rotation_deg).x_axis;
+        let mut ends = [light.position - half, light.position + half];
+        let end = ends.get_mut(index)?;
+        let seen_from_above = (projection.camera().eye - *end).normalize_or(DVec3::Z).z.abs() > 0.25;
+        let normal = if seen_from_above { DVec3::Z } else { projection.forward() };
+        *end += self.shift(*end, normal)?;
+        if let Some(step) = self.snap {
+            let fixed_z = end.z;
+            *end = DVec3::new(snapped_to(end.x, step), snapped_to(end.y, step), snapped_to(end.z, step));
+            if seen_from_above {
+                end.z = fixed_z;
+            }
+        }
+        let (position, rotation_deg, length) = line_placement(ends[0], ends[1])?;
+        line.length = length;
+        light.position = position;
+        light.rotation_deg = rotation_deg;
+        Some(Change::To(Subject::Light(light)))
+    }
+
+    /// A sphere's radius changed by how much further from the centre the pointer is than where it took hold.
+    fn radius(&self, start: &Subject, projection: &Projection) -> Option<Change> {
+        let Subject::Light(light) = start else { return None };
+        let mut light = light.clone();
+        let Shape::Sphere(sphere) = &mut light.shape else { return None };
+        let [from, to] =
+            self.rays.map(|ray| ray.on_plane(light.position, projection.forward()).map(|p| p.distance(light.position)));
+        let least = self.snap.unwrap_or(LEAST);
+        sphere.radius = self.snapped(sphere.radius + to? - from?).max(least);
+        Some(Change::To(Subject::Light(light)))
+    }
+
+    /// A probe moved to the surface under the pointer, with that surface's normal, or on its own level beside them.
+    fn probe(&self, start: &Subject, under: impl FnOnce(&Ray) -> Option<Hit>) -> Option<Change> {
+        let Subject::Probe(plot) = start else { return None };
+        let mut plot = plot.clone();
+        let ray = &self.rays[1];
+        if let Some(hit) = under(ray) {
+            plot.position = hit.p;
+            plot.normal = if hit.n.dot(ray.direction) > 0.0 { -hit.n } else { hit.n };
+        } else {
+            plot.position += self.shift(plot.position, DVec3::Z)?;
+        }
+        if self.snap.is_some() && plot.normal.z > 1.0 - 1e-9 {
+            plot.position.x = self.snapped(plot.position.x);
+            plot.position.y = self.snapped(plot.position.y);
+        }
+        Some(Change::To(Subject::Probe(plot)))
+    }
+}
+
+#[cfg(test)]
+#[path = "drag_tests.rs"]
+mod tests;

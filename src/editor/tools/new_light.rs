@@ -1,0 +1,110 @@
+//! Lights as the drawing tools make them, called after their shapes.
+
+use glam::{DVec2, DVec3};
+
+use crate::light::{Light, Line, LineEmission, Polygon, Quantity, QuantityKind, Shape, Sphere, Tint};
+
+/// Luminance of a new polygon or sphere, cd/m²: ten times the white of a picture at exposure 0.
+const LUMINANCE: f64 = 1000.0;
+/// Intensity of a new line, cd/m: a tube 10 cm across of luminance 5000 cd/m² seen from the side.
+const INTENSITY_PER_METRE: f64 = 500.0;
+/// A line or sphere smaller than this, metres, was a slip of the hand.
+const LEAST_SIZE: f64 = 1e-3;
+
+/// A polygon at `height` that lights what is below, its origin at its centre of area.
+pub fn polygon(vertices: &[DVec2], height: f64) -> Light {
+    let center = centroid(vertices);
+    let local = vertices.iter().map(|v| tidy(*v - center)).collect();
+    let shape = Shape::Polygon(Polygon { vertices: local, two_sided: false });
+    light(center.extend(height), DVec3::ZERO, Quantity::new(QuantityKind::Luminance, LUMINANCE), shape)
+}
+
+/// A line between two points at `height`; `None` when they coincide.
+pub fn line(ends: [DVec2; 2], height: f64) -> Option<Light> {
+    let (middle, rotation_deg, length) = line_placement(ends[0].extend(height), ends[1].extend(height))?;
+    let shape = Shape::Line(Line { length, emission: LineEmission::Isotropic, falloff: 2.0 });
+    let quantity = Quantity::new(QuantityKind::IntensityPerMetre, INTENSITY_PER_METRE);
+    Some(light(middle, rotation_deg, quantity, shape))
+}
+
+/// A sphere about a point at `height`; `None` without radius.
+pub fn sphere(center: DVec2, height: f64, radius: f64) -> Option<Light> {
+    (radius >= LEAST_SIZE).then(|| {
+        let quantity = Quantity::new(QuantityKind::Luminance, LUMINANCE);
+        light(center.extend(height), DVec3::ZERO, quantity, Shape::Sphere(Sphere { radius }))
+    })
+}
+
+/// Position, rotation and length that put a line's ends at `a` and `b`, without roll; `None` when they coincide.
+///
+/// R = Rz·Ry takes X to (cos rz cos ry, sin rz cos ry, −sin ry).
+pub fn line_placement(a: DVec3, b: DVec3) -> Option<(DVec3, DVec3, f64)> {
+    let along = b - a;
+    let length = along.length();
+    if length.is_nan() || length < LEAST_SIZE {
+        return None;
+    }
+    let ry = (-along.z).atan2(along.x.hypot(along.y));
+    let rz = along.y.atan2(along.x);
+    // An upright line's turn about Z means nothing.
+    let rz = if along.truncate().length() < 1e-12 * length { 0.0 } else { rz };
+    Some((a.midpoint(b), DVec3::new(0.0, ry.to_degrees(), rz.to_degrees()), length))
+}
+
+fn light(position: DVec3, rotation_deg: DVec3, quantity: Quantity, shape: Shape) -> Light {
+    let name = shape.name().to_owned();
+    Light { name, position, rotation_deg, tint: Tint::default(), quantity, muted: false, shape }
+}
+
+/// Centre of area of a simple polygon; to a millionth of a metre, so that files stay readable.
+fn centroid(vertices: &[DVec2]) -> DVec2 {
+    let corners: Vec<DVec2> = vertices.to_vec();
+    let emitter = Polygon { vertices: corners, two_sided: false }.place(&glam::DAffine3::IDENTITY);
+    tidy(emitter.centroid().truncate())
+}
+
+/// Rounded to a micrometre.
+fn tidy(p: DVec2) -> DVec2 {
+    (p * 1e6).round() / 1e6
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::light::Emitter;
+    use crate::math::frame;
+    use glam::dvec2;
+
+    #[test]
+    fn a_polygon_keeps_its_corners_faces_down_and_turns_about_its_centre() {
+        let corners = [dvec2(1.0, 1.0), dvec2(3.0, 1.0), dvec2(3.0, 2.0), dvec2(1.0, 2.0)];
+        let light = polygon(&corners, 2.5);
+        assert_eq!(light.position, DVec3::new(2.0, 1.5, 2.5), "origin at the centroid");
+        let Emitter::Polygon(emitter) = light.emitter() else { panic!("a polygon") };
+        assert_eq!(emitter.normal, DVec3::NEG_Z, "lights what is below");
+        for corner in corners {
+            let found = emitter.vertices.iter().any(|v| v.distance(corner.extend(2.5)) < 1e-12);
+            assert!(found, "{corner} in {:?}", emitter.vertices);
+        }
+    }
+
+    #[test]
+    fn a_line_ends_where_it_was_drawn_whatever_its_direction() {
+        for (a, b) in [
+            (DVec3::new(0.0, 0.0, 1.0), DVec3::new(2.0, -3.0, 1.0)),
+            (DVec3::new(1.0, 2.0, 0.0), DVec3::new(1.0, 2.0, 3.0)),
+            (DVec3::new(-1.0, 0.5, 2.0), DVec3::new(-2.0, 0.5, 0.5)),
+        ] {
+            let (position, rotation_deg, length) = line_placement(a, b).expect("apart");
+            let x = frame::rotation_from_deg(rotation_deg).x_axis;
+            assert!((position - 0.5 * length * x).distance(a) < 1e-12, "{a} {b}: first end");
+            assert!((position + 0.5 * length * x).distance(b) < 1e-12, "{a} {b}: second end");
+        }
+        assert_eq!(line_placement(DVec3::ONE, DVec3::ONE), None, "no length");
+    }
+
+    #[test]
+    fn a_sphere_without_radius_is_none() {
+        assert_eq!(sphere(DVec2::ZERO, 1.0, 0.0), None, "a click without drag");
+    }
+}

@@ -1,0 +1,101 @@
+//! The viewport's own controls: method, exposure, and what is painted over the picture.
+
+use egui::{Color32, Frame, Margin, Rect, Ui, UiBuilder, vec2};
+
+use super::Overlays;
+use crate::editor::session::Session;
+use crate::scene::Scene;
+use crate::shading::Method;
+
+/// Exposures that the slider offers, in steps of a factor of two.
+const EXPOSURE: std::ops::RangeInclusive<f64> = -8.0..=8.0;
+
+/// Show the controls in the upper left corner of `rect`.
+pub fn show(ui: &mut Ui, rect: Rect, session: &mut Session, overlays: &mut Overlays) {
+    let corner = Rect::from_min_max(rect.min + vec2(8.0, 8.0), rect.max);
+    let builder = UiBuilder::new().max_rect(corner).layout(egui::Layout::left_to_right(egui::Align::Min));
+    ui.scope_builder(builder, |ui| {
+        let fill = ui.visuals().panel_fill.gamma_multiply(0.85);
+        let frame = Frame::NONE.fill(fill).corner_radius(4.0).inner_margin(Margin::symmetric(6, 3));
+        frame.show(ui, |ui| {
+            method(ui, session);
+            ui.separator();
+            exposure(ui, session);
+            ui.separator();
+            toggles(ui, session, overlays);
+        });
+    });
+}
+
+/// The methods that any light of the scene has and the preview can draw, `exact` first.
+fn methods(scene: &Scene) -> Vec<Method> {
+    let mut methods = vec![Method::Exact];
+    for method in scene.lights.iter().flat_map(|light| Method::of(&light.shape)) {
+        if !methods.contains(method) && *method != Method::Reference {
+            methods.push(*method);
+        }
+    }
+    // Point light last, as everywhere.
+    methods.sort_by_key(|method| *method == Method::Point);
+    methods
+}
+
+fn method(ui: &mut Ui, session: &mut Session) {
+    let label = ui.label("Method");
+    let methods = methods(session.scene());
+    let combo = egui::ComboBox::from_id_salt("viewport method").selected_text(session.view.method.to_string());
+    let response = combo.show_ui(ui, |ui| {
+        for method in methods {
+            ui.selectable_value(&mut session.view.method, method, method.to_string());
+        }
+    });
+    response.response.labelled_by(label.id).on_hover_text("How lights are shaded in this viewport");
+}
+
+fn exposure(ui: &mut Ui, session: &mut Session) {
+    let label = ui.label("Exposure");
+    let mut exposure_ev = session.scene().display.exposure_ev;
+    let number = egui::DragValue::new(&mut exposure_ev).range(EXPOSURE).speed(0.02).suffix(" EV").fixed_decimals(1);
+    let response = ui.add(number).labelled_by(label.id).on_hover_text("At 0, 100 cd/m² is white; drag to change");
+    if response.drag_started() {
+        session.begin("Change exposure");
+    }
+    if response.changed() {
+        session.edit("Change exposure", |scene| scene.display.exposure_ev = exposure_ev);
+    }
+    if response.drag_stopped() {
+        session.commit();
+    }
+}
+
+fn toggles(ui: &mut Ui, session: &mut Session, overlays: &mut Overlays) {
+    let button = egui::Button::new("Show").fill(Color32::TRANSPARENT);
+    let (response, _) = egui::containers::menu::MenuButton::from_button(button)
+        .config(egui::containers::menu::MenuConfig::new().close_behavior(egui::PopupCloseBehavior::CloseOnClickOutside))
+        .ui(ui, |ui| {
+            ui.checkbox(&mut session.view.show_emitters, "Emitters");
+            ui.checkbox(&mut session.view.show_grid, "Ground grid");
+            ui.checkbox(&mut overlays.outlines, "Outlines and names");
+            ui.checkbox(&mut overlays.probe, "Probe");
+            ui.checkbox(&mut overlays.handles, "Handles");
+            ui.checkbox(&mut overlays.gnomon, "Axes");
+        });
+    response.on_hover_text("What is drawn over the picture");
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::editor::tools::new_light;
+    use glam::dvec2;
+
+    #[test]
+    fn the_methods_are_those_of_the_scenes_lights_from_exact_to_point() {
+        assert_eq!(methods(&Scene::default()), [Method::Exact], "an empty scene");
+        let lights = vec![new_light::sphere(dvec2(0.0, 0.0), 1.0, 1.0).expect("a sphere")];
+        let methods = methods(&Scene { lights, ..Scene::default() });
+        assert_eq!(methods.first(), Some(&Method::Exact), "first");
+        assert_eq!(methods.last(), Some(&Method::Point), "last");
+        assert!(methods.contains(&Method::Hermite1) && !methods.contains(&Method::Chebyshev), "{methods:?}");
+    }
+}

@@ -1,0 +1,69 @@
+//! What is painted over the picture: grid, lights, what is being drawn, the probe, the world's axes.
+
+mod draft;
+mod gnomon;
+mod grid;
+mod lights;
+mod probe;
+
+pub use draft::{Cursor, paint_draft};
+pub use gnomon::paint_gnomon;
+pub use grid::{Grid, paint_work_plane};
+pub use lights::{paint_lights, paint_outline};
+pub use probe::paint_probe;
+
+use egui::{Align2, Color32, FontId, Painter, Pos2, Stroke, vec2};
+use glam::DVec3;
+
+use super::pick::Solids;
+use super::projection::Projection;
+
+/// A line that may not be, or a shape that is refused.
+pub const REFUSED: Color32 = Color32::from_rgb(0xff, 0x45, 0x45);
+/// Names and numbers.
+const TEXT: Color32 = Color32::from_rgb(0xf0, 0xf2, 0xf4);
+
+/// A straight line of the world.
+fn line(a: DVec3, b: DVec3, stroke: Stroke, projection: &Projection, painter: &Painter) {
+    if let Some(segment) = projection.segment(a, b) {
+        painter.line_segment(segment, stroke);
+    }
+}
+
+/// The box of which these are the corners, counted in binary, faint where surfaces hide it.
+pub fn paint_box(corners: &[DVec3], color: Color32, solids: &Solids, projection: &Projection, painter: &Painter) {
+    let eye = projection.camera().eye;
+    for (i, a) in corners.iter().enumerate() {
+        for bit in [1, 2, 4] {
+            let Some(b) = corners.get(i | bit).filter(|_| i & bit == 0) else { continue };
+            let hidden = solids.hide(eye, a.midpoint(*b));
+            let color = if hidden { color.gamma_multiply(0.25) } else { color.gamma_multiply(0.8) };
+            line(*a, *b, Stroke::new(1.0, color), projection, painter);
+        }
+    }
+}
+
+/// Small text on a dark plate, its `anchor` at `pos`.
+pub fn label(text: &str, pos: Pos2, anchor: Align2, color: Color32, painter: &Painter) {
+    let galley = painter.layout_no_wrap(text.to_owned(), FontId::proportional(11.0), color);
+    let rect = anchor.anchor_size(pos, galley.size());
+    let plate = rect.expand2(vec2(4.0, 1.5));
+    painter.rect_filled(plate, 3.0, Color32::from_black_alpha(150));
+    painter.galley(rect.min, galley, color);
+}
+
+/// A length for people: metres above 1 m, else centimetres.
+pub fn length_text(metres: f64) -> String {
+    if metres.abs() < 1.0 { format!("{:.1} cm", 100.0 * metres) } else { format!("{metres:.2} m") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lengths_below_a_metre_are_in_centimetres() {
+        assert_eq!(length_text(0.253), "25.3 cm", "below");
+        assert_eq!(length_text(2.5), "2.50 m", "above");
+    }
+}
