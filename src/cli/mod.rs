@@ -1,5 +1,8 @@
 //! The command line: one file a subcommand, each with its `Args` and a `run`.
 
+mod check;
+mod schema;
+
 use std::io;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -41,7 +44,11 @@ pub struct Arguments {
 }
 
 #[derive(Debug, Subcommand)]
-enum Command {}
+enum Command {
+    Check(check::Args),
+    /// Print the JSON Schema of scene files.
+    Schema,
+}
 
 /// The arguments of this process, or, when there is nothing to run, how to end: after `--help` and `--version`, or
 /// with bad use as an error of one line.
@@ -58,7 +65,8 @@ pub fn parse() -> Result<Arguments, anyhow::Result<Outcome>> {
 /// Run what was asked for.
 pub fn run(arguments: &Arguments) -> anyhow::Result<Outcome> {
     match &arguments.command {
-        Some(command) => match *command {},
+        Some(Command::Check(args)) => check::run(args),
+        Some(Command::Schema) => schema::run(),
         None => open_editor(arguments.scene.as_deref()),
     }
 }

@@ -35,20 +35,49 @@ pub struct PolygonEmitter {
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum PolygonError {
     /// Fewer than three vertices.
-    #[error("a polygon needs at least 3 vertices, this one has {0}")]
+    #[error("{0} vertices are too few; a polygon has at least 3")]
     TooFewVertices(usize),
-    /// Two edges cross or touch; the indices are those of the edges' first vertices.
-    #[error("edges {0} and {1} cross")]
+    /// Two edges cross or touch; edge i starts at vertex i, from 0.
+    #[error("edges {0} and {1} cross or touch; edges may meet only at the vertex between them")]
     Crossing(usize, usize),
     /// Two consecutive vertices coincide.
-    #[error("vertices {0} and {1} coincide")]
+    #[error("vertices {0} and {1} coincide; leave one of them out")]
     RepeatedVertex(usize, usize),
     /// All vertices lie on a line.
-    #[error("all vertices lie on one line")]
+    #[error("all vertices lie on one line; move one off it")]
     Flat,
 }
 
 impl Polygon {
+    /// Whether the vertices are a simple polygon: its edges meet only at the vertices that they share, and enclose
+    /// some area. Exact: orientations are by [`robust::orient2d`]. Vertices must be finite.
+    pub fn check(&self) -> Result<(), PolygonError> {
+        let v = &self.vertices;
+        let count = v.len();
+        if count < 3 {
+            return Err(PolygonError::TooFewVertices(count));
+        }
+        let next = |i: usize| (i + 1) % count;
+        if let Some(i) = (0..count).find(|&i| v[i] == v[next(i)]) {
+            return Err(PolygonError::RepeatedVertex(i, next(i)));
+        }
+        if (1..count).all(|i| orientation(v[0], v[i], v[next(i)]) == 0.0) {
+            return Err(PolygonError::Flat);
+        }
+        for i in 0..count {
+            if folds_back(v[i], v[next(i)], v[next(next(i))]) {
+                return Err(PolygonError::Crossing(i, next(i)));
+            }
+            // Edges that share no vertex with edge i; the last edge shares one with the first.
+            for j in i + 2..count - usize::from(i == 0) {
+                if segments_touch([v[i], v[next(i)]], [v[j], v[next(j)]]) {
+                    return Err(PolygonError::Crossing(i, j));
+                }
+            }
+        }
+        Ok(())
+    }
+
     /// Twice-signed half the cross sum: positive when the vertices run counter-clockwise seen from +Z.
     pub fn signed_area(&self) -> f64 {
         let Some(&origin) = self.vertices.first() else { return 0.0 };
@@ -77,6 +106,28 @@ impl Polygon {
         };
         PolygonEmitter { vertices, normal: -world_from_light.matrix3.z_axis, two_sided: self.two_sided }
     }
+}
+
+/// Above 0 when a, b, c turn counter-clockwise, below when clockwise, 0 when they lie on a line; the sign is exact.
+fn orientation(a: DVec2, b: DVec2, c: DVec2) -> f64 {
+    let [a, b, c] = [a, b, c].map(|p| robust::Coord { x: p.x, y: p.y });
+    robust::orient2d(a, b, c)
+}
+
+/// Whether the edge b→c runs back over the edge a→b.
+fn folds_back(a: DVec2, b: DVec2, c: DVec2) -> bool {
+    orientation(a, b, c) == 0.0 && (a - b).dot(c - b) > 0.0
+}
+
+/// Whether two closed segments have a point in common.
+fn segments_touch([a, b]: [DVec2; 2], [c, d]: [DVec2; 2]) -> bool {
+    let apart = a.max(b).cmplt(c.min(d)).any() || c.max(d).cmplt(a.min(b)).any();
+    // Neither segment has both ends strictly on one side of the other. Collinear ones are left to the boxes.
+    let one_side = |a, b, c, d| {
+        let (left, right) = (orientation(a, b, c), orientation(a, b, d));
+        left > 0.0 && right > 0.0 || left < 0.0 && right < 0.0
+    };
+    !apart && !one_side(a, b, c, d) && !one_side(c, d, a, b)
 }
 
 impl PolygonEmitter {

@@ -166,7 +166,7 @@ impl LightEntry {
             (None, _) => {
                 let keys: Vec<_> = self.shape.quantity_kinds().iter().map(|kind| format!("`{}`", kind.key())).collect();
                 let message =
-                    format!("does not say how bright it is; a {} takes {}", self.shape.name(), keys.join(" or "));
+                    format!("does not say how bright it is; a `{}` takes {}", self.shape.name(), keys.join(" or "));
                 Err(Problem::new(path.clone(), message))
             }
         }

@@ -9,15 +9,18 @@ use toml::de::{DeTable, DeValue, Deserializer};
 
 use super::file::File;
 use super::problem::{LoadError, Path, Place, Problem, Segment};
-use super::{Scene, structure, validate};
+use super::{FORMAT, Scene, schema, structure, validate};
 
 /// Scene files larger than this are refused before they are read, bytes.
 pub const MAX_FILE_BYTES: u64 = 16 << 20;
 
+/// Problems beyond this number are only counted.
+const MAX_PROBLEMS: usize = 100;
+
 /// Load a scene or a light preset.
 pub fn load(path: impl AsRef<std::path::Path>) -> Result<Scene, LoadError> {
     let path = path.as_ref();
-    let bytes = read(path).map_err(|source| LoadError::Read { file: path.to_owned(), source })?;
+    let bytes = read(path).map_err(|cause| LoadError::Read { file: path.to_owned(), cause })?;
     match std::str::from_utf8(&bytes) {
         Ok(text) => parse(text, path),
         Err(error) => {
@@ -43,53 +46,74 @@ fn read(path: &std::path::Path) -> io::Result<Vec<u8>> {
         return Err(io::Error::other("it is a directory; name a scene file in it"));
     }
     if metadata.len() > MAX_FILE_BYTES {
-        return Err(too_large(metadata.len()));
+        return Err(too_large());
     }
     // What has no honest size, such as a pipe, is cut off one byte past the limit, where it cannot be a scene.
     let mut bytes = Vec::new();
     fs::File::open(path)?.take(MAX_FILE_BYTES + 1).read_to_end(&mut bytes)?;
-    if bytes.len() as u64 > MAX_FILE_BYTES { Err(too_large(bytes.len() as u64)) } else { Ok(bytes) }
+    if bytes.len() as u64 > MAX_FILE_BYTES { Err(too_large()) } else { Ok(bytes) }
 }
 
-fn too_large(bytes: u64) -> io::Error {
-    let [size, limit] = [bytes, MAX_FILE_BYTES].map(|bytes| bytes.div_ceil(1 << 20));
-    io::Error::other(format!("it has {size} MiB or more; a scene file has at most {limit} MiB"))
+fn too_large() -> io::Error {
+    io::Error::other(format!("it is larger than {} MiB; no scene file is", MAX_FILE_BYTES >> 20))
 }
 
 /// Syntax, then structure, then contradictions, then values: what fails at one stage is not looked at by the next.
 fn parse_text(text: &str) -> Result<Scene, Vec<Problem>> {
     let document = DeTable::parse(text).map_err(|error| vec![syntax_problem(text, &error)])?;
-    let place = |problems| place_all(problems, &document, text);
-    let problems = structure::check(&document);
+    if let Some(problem) = other_format(&document) {
+        return Err(locate(vec![problem], &document, text));
+    }
+    let problems = structure::check(&document, &schema());
     if !problems.is_empty() {
-        return Err(place(problems));
+        return Err(place(problems, text));
     }
     let file = File::deserialize(Deserializer::from(document.clone())).map_err(|error| {
         // The schema has accepted it, so that this is not met; but an error is told, not hidden.
-        vec![Problem {
-            place: error.span().map(|span| Place::of_offset(text, span.start)),
-            ..Problem::new(Path::default(), error.message())
-        }]
+        place(vec![(start(&error), Problem::new(Path::default(), error.message()))], text)
     })?;
-    let scene = file.into_scene().map_err(&place)?;
+    let scene = file.into_scene().map_err(|problems| locate(problems, &document, text))?;
     let problems = validate(&scene);
-    if problems.is_empty() { Ok(scene) } else { Err(place(problems)) }
+    if problems.is_empty() { Ok(scene) } else { Err(locate(problems, &document, text)) }
 }
 
 /// What the TOML parser says.
 fn syntax_problem(text: &str, error: &toml::de::Error) -> Problem {
-    let place = Place::of_offset(text, error.span().map_or(0, |span| span.start));
-    let message = format!("is not TOML: {}", error.message());
-    Problem { place: Some(place), ..Problem::new(Path::default(), message) }
+    let place = Some(Place::of_offset(text, start(error)));
+    Problem { place, ..Problem::new(Path::default(), format!("is not TOML: {}", error.message())) }
 }
 
-/// Give each problem the place of its path in the text, and sort by place.
-fn place_all(mut problems: Vec<Problem>, document: &Spanned<DeTable<'_>>, text: &str) -> Vec<Problem> {
-    for problem in &mut problems {
-        problem.place = Some(Place::of_offset(text, offset_of(&problem.path, document)));
+/// The problem of a file in another format. Whatever else such a file says is then not to be judged.
+fn other_format(document: &Spanned<DeTable<'_>>) -> Option<Problem> {
+    let format = document.get_ref().get("format")?.get_ref().as_integer()?;
+    let is_ours = u32::from_str_radix(format.as_str(), format.radix()) == Ok(FORMAT);
+    let message = format!("is {format}, which this Softbox cannot read; it reads {FORMAT}");
+    (!is_ours).then(|| Problem::new(Path::default().key("format"), message))
+}
+
+/// Where in the text an error of the TOML parser is.
+fn start(error: &toml::de::Error) -> usize {
+    error.span().map_or(0, |span| span.start)
+}
+
+/// Find each problem's path in the document.
+fn locate(problems: Vec<Problem>, document: &Spanned<DeTable<'_>>, text: &str) -> Vec<Problem> {
+    place(problems.into_iter().map(|problem| (offset_of(&problem.path, document), problem)).collect(), text)
+}
+
+/// Turn offsets into places, in the order of the text.
+fn place(mut problems: Vec<(usize, Problem)>, text: &str) -> Vec<Problem> {
+    problems.sort_by_key(|(offset, _)| *offset);
+    let rest = problems.len().saturating_sub(MAX_PROBLEMS);
+    problems.truncate(MAX_PROBLEMS);
+    let mut placed: Vec<_> = problems
+        .into_iter()
+        .map(|(offset, problem)| Problem { place: Some(Place::of_offset(text, offset)), ..problem })
+        .collect();
+    if rest > 0 {
+        placed.push(Problem::new(Path::default(), format!("and {rest} problems more")));
     }
-    problems.sort_by_key(|problem| problem.place.map(|place| (place.line, place.column)));
-    problems
+    placed
 }
 
 /// Where the value at `path` starts; where it is left out, where the innermost table or array around it starts.

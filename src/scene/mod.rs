@@ -4,6 +4,7 @@ mod camera;
 mod file;
 mod history;
 mod load;
+mod nearest;
 mod plot;
 mod problem;
 mod save;

@@ -41,12 +41,12 @@ pub struct Problem {
 #[derive(Debug, thiserror::Error)]
 pub enum LoadError {
     /// The file could not be read at all.
-    #[error("{}: cannot be read: {source}", file.display())]
+    #[error("{}: cannot be read: {cause}", file.display())]
     Read {
         /// The file.
         file: PathBuf,
         /// Why.
-        source: io::Error,
+        cause: io::Error,
     },
     /// The file is no scene; one problem a line.
     #[error("{}", list(file, problems))]

@@ -17,12 +17,12 @@ use crate::surface::{Material, Surface};
 #[derive(Debug, thiserror::Error)]
 pub enum SaveError {
     /// The file could not be written.
-    #[error("{}: cannot be saved: {source}", file.display())]
+    #[error("{}: cannot be saved: {cause}", file.display())]
     Write {
         /// The file.
         file: PathBuf,
         /// Why.
-        source: io::Error,
+        cause: io::Error,
     },
     /// The scene could not be loaded again.
     #[error("{}: not saved, as it could not be opened again: {}", file.display(), problems[0])]
@@ -44,7 +44,7 @@ pub fn save(scene: &Scene, path: impl AsRef<Path>) -> Result<(), SaveError> {
     if !problems.is_empty() {
         return Err(SaveError::Invalid { file: path.to_owned(), problems });
     }
-    replace(path, to_toml(scene).as_bytes()).map_err(|source| SaveError::Write { file: path.to_owned(), source })
+    replace(path, to_toml(scene).as_bytes()).map_err(|cause| SaveError::Write { file: path.to_owned(), cause })
 }
 
 /// The text of a scene's file.
