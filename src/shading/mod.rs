@@ -49,6 +49,9 @@ pub struct Response {
 /// The unit-strength response at a point by a method; methods that a shape does not have answer as
 /// [`Method::Exact`] does (see [`Method::for_shape`]).
 pub fn respond(emitter: &Emitter, method: Method, at: &ShadingPoint, lobe: &PhongLobe) -> Response {
+    if method == Method::Reference {
+        return reference::reference(emitter, at, lobe).response();
+    }
     match emitter {
         Emitter::Polygon(light) => polygon::respond(light, method, at, lobe),
         Emitter::Line(light) => line::respond(light, method, at, lobe),

@@ -3,3 +3,4 @@
 mod cases;
 mod line;
 mod polygon;
+mod reference;

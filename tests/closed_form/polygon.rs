@@ -4,12 +4,12 @@ use std::f64::consts::PI;
 
 use glam::DVec3;
 use softbox::math::spherical::triangle_solid_angle;
-use softbox::shading::polygon::{polygon_irradiance, polygon_phong, polygon_phong_unclipped};
+use softbox::shading::polygon::{polygon_irradiance, polygon_phong, polygon_phong_lobe_only};
 
 use crate::cases::{self, Worst};
 
 /// Solid angle of a planar polygon seen from p.
-fn solid_angle(vertices: &[DVec3], p: DVec3) -> f64 {
+pub(crate) fn solid_angle(vertices: &[DVec3], p: DVec3) -> f64 {
     let fan = vertices.windows(2).map(|edge| triangle_solid_angle(vertices[0] - p, edge[0] - p, edge[1] - p));
     fan.sum::<f64>().abs()
 }
@@ -42,12 +42,12 @@ fn polygon_phong_matches_the_reference_cases() {
 }
 
 #[test]
-fn polygon_phong_unclipped_matches_the_reference_cases() {
+fn polygon_phong_lobe_only_matches_the_reference_cases() {
     let mut worst = Worst::default();
     for case in cases::load("polygon_phong") {
         let (p, vertices, m) = (case.vector("p"), case.vectors("vertices"), case.number("n"));
-        let value = polygon_phong_unclipped(&vertices, p, case.direction("R"), m);
+        let value = polygon_phong_lobe_only(&vertices, p, case.direction("R"), m);
         worst.check(&case, value, case.value("expected"), lobe_scale(&vertices, p, m));
     }
-    worst.finish("polygon_phong_unclipped", 1e-13, 1e-10);
+    worst.finish("polygon_phong_lobe_only", 1e-13, 1e-10);
 }

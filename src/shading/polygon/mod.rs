@@ -7,7 +7,7 @@ mod phong;
 
 pub use irradiance::polygon_irradiance;
 pub use nearest::polygon_least_angle_cosine;
-pub use phong::{polygon_phong, polygon_phong_unclipped};
+pub use phong::{polygon_phong, polygon_phong_lobe_only};
 
 use glam::DVec3;
 

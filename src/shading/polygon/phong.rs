@@ -33,7 +33,7 @@ pub fn polygon_phong(vertices: &[DVec3], p: DVec3, n: DVec3, r: DVec3, m: f64) -
 
 /// As [`polygon_phong`] over ω·r > 0 alone, which is [`SNYDER_1996`](crate::refs::SNYDER_1996), eq. 9, as printed: it
 /// counts light from below the surface.
-pub fn polygon_phong_unclipped(vertices: &[DVec3], p: DVec3, r: DVec3, m: f64) -> f64 {
+pub fn polygon_phong_lobe_only(vertices: &[DVec3], p: DVec3, r: DVec3, m: f64) -> f64 {
     contour(vertices, p, r, m, edges(vertices, p).map(|edge| (edge, None)))
 }
 
