@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use glam::DVec3;
 
 use super::shader::{Module, Source};
-use super::types::{ClusterLight, DirectionalLight, Lobe, PointLight, f32_of, u32_of, vec3_of, vec4_of};
+use super::types::{ClusterLight, DirectionalLight, LineLight, Lobe, PointLight, f32_of, u32_of, vec3_of, vec4_of};
 use crate::light::{Emitter, LineEmitter, PolygonEmitter, SphereEmitter};
 use crate::shading::cluster::{self, PointOfArea};
 use crate::shading::{Method, PhongLobe};
@@ -26,11 +26,22 @@ pub(crate) struct Responder {
 impl Responder {
     const POINT: Self = Self { modules: &[Module::POINT], function: "point_respond" };
     const DIRECTIONAL: Self = Self { modules: &[Module::POINT], function: "directional_respond" };
+    const LINE_EXACT: Self = Self { modules: &[Module::POINT, Module::LINE], function: "line_respond_exact" };
+    const LINE_CHEBYSHEV: Self = Self { modules: &[Module::POINT, Module::LINE], function: "line_respond_chebyshev" };
+    const LINE_NEAREST_POINT: Self =
+        Self { modules: &[Module::POINT, Module::LINE], function: "line_respond_nearest_point" };
     const CLUSTER: Self = Self { modules: &[Module::POINT, Module::CLUSTER], function: "cluster_respond" };
 
     /// Every one.
     #[cfg(test)]
-    pub(crate) const ALL: &[Self] = &[Self::POINT, Self::DIRECTIONAL, Self::CLUSTER];
+    pub(crate) const ALL: &[Self] = &[
+        Self::POINT,
+        Self::DIRECTIONAL,
+        Self::CLUSTER,
+        Self::LINE_EXACT,
+        Self::LINE_CHEBYSHEV,
+        Self::LINE_NEAREST_POINT,
+    ];
 
     /// The whole shader of a layer.
     pub(crate) fn source(&self) -> Source {
@@ -83,12 +94,20 @@ impl LightData {
     }
 
     fn line(light: &LineEmitter, method: Method, eye: DVec3) -> Self {
-        let points = match method {
-            Method::PointCluster(points) => cluster::line_points(light, points).collect(),
-            _ => vec![light.middle()],
+        let responder = match method {
+            Method::PointCluster(points) => return Self::line_cluster(light, points, eye),
+            Method::Point => return Self::line_cluster(light, 1, eye),
+            Method::Chebyshev => Responder::LINE_CHEBYSHEV,
+            Method::NearestPoint => Responder::LINE_NEAREST_POINT,
+            _ => Responder::LINE_EXACT,
         };
-        let part = light.length() / points.len() as f64;
-        let points = points.iter().map(|position| vec4_of(*position - eye, part)).collect();
+        let (a, b) = (vec3_of(light.a - eye), vec3_of(light.b - eye));
+        Self::without_vertices(responder, &LineLight { a, falloff: f32_of(light.falloff), b, unused: 0 })
+    }
+
+    fn line_cluster(light: &LineEmitter, points: u32, eye: DVec3) -> Self {
+        let part = light.length() / f64::from(points);
+        let points = cluster::line_points(light, points).map(|position| vec4_of(position - eye, part)).collect();
         Self::cluster(points, ClusterLight { falloff: f32_of(light.falloff), ..Default::default() })
     }
 
@@ -111,5 +130,16 @@ impl LightData {
 
 /// A lobe as the shaders read it.
 pub(crate) fn lobe(lobe: &PhongLobe) -> Lobe {
-    Lobe { exponent: f32_of(lobe.exponent()), ..Default::default() }
+    let fit = lobe.chebyshev();
+    let mut powers = [[0.0; 4]; 4];
+    for (power, coefficient) in powers.iter_mut().flatten().zip(fit.coefficients()) {
+        *power = f32_of(*coefficient);
+    }
+    Lobe {
+        exponent: f32_of(lobe.exponent()),
+        chebyshev_cut: f32_of(fit.cut()),
+        chebyshev_tan_cut: f32_of(fit.cut().tan()),
+        chebyshev_count: u32_of(fit.coefficients().len()),
+        chebyshev: powers,
+    }
 }

@@ -1,5 +1,7 @@
 //! WGSL functions over tables of rows, to be compared with their f64 twins on the same inputs.
 
+use std::fmt;
+
 use glam::DVec3;
 
 use super::context::Context;
@@ -37,6 +39,15 @@ functions! {
     FALLOFF_IRRADIANCE = "falloff_response" in &[Module::POINT], "(v(0), f(3), f(4), v(5), v(8), f(11)).irradiance";
     /// Row: vector to the light, intensity, falloff, normal, mirror direction, exponent.
     FALLOFF_SPECULAR = "falloff_response" in &[Module::POINT], "(v(0), f(3), f(4), v(5), v(8), f(11)).specular";
+    /// Row: ends, normal, falloff.
+    LINE_IRRADIANCE = "line_irradiance" in &[Module::POINT, Module::LINE], "(v(0), v(3), v(6), f(9))";
+    /// Row: ends, normal, mirror direction, exponent, falloff.
+    LINE_PHONG = "line_phong" in &[Module::POINT, Module::LINE], "(v(0), v(3), v(6), v(9), f(12), f(13))";
+    /// Row: ends, normal, mirror direction, falloff; and the lobe.
+    LINE_CHEBYSHEV = "line_chebyshev" in &[Module::POINT, Module::LINE], "(v(0), v(3), v(6), v(9), f(12), lobe)";
+    /// Row: ends, normal, mirror direction, exponent, falloff.
+    LINE_NEAREST_POINT = "line_nearest_point" in &[Module::POINT, Module::LINE],
+        "(v(0), v(3), v(6), v(9), f(12), f(13))";
     /// Row: y, x. Its twin is `f64::atan2`.
     ARCTANGENT = "arctangent" in &[], "(f(0), f(1))";
 }
@@ -81,6 +92,16 @@ impl Row {
     pub fn lobe(mut self, lobe: PhongLobe) -> Self {
         self.lobe = lobe;
         self
+    }
+}
+
+impl fmt::Display for Row {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{:?}", self.numbers)?;
+        for [x, y, z, _] in &self.vertices {
+            write!(f, " ({x}, {y}, {z})")?;
+        }
+        Ok(())
     }
 }
 

@@ -56,8 +56,8 @@ gpu_structs! {
     Lobe {
         exponent: f32,
         chebyshev_cut: f32,
+        chebyshev_tan_cut: f32,
         chebyshev_count: u32,
-        unused: u32,
         chebyshev: [[f32; 4]; 4],
     }
 

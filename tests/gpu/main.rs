@@ -3,8 +3,11 @@
 //! These tests need an adapter, software or not, and fail without one.
 
 mod agreement;
+#[path = "../closed_form/cases.rs"]
+mod cases;
 mod tracking;
 mod twins;
+mod twins_of_lines;
 
 use std::sync::LazyLock;
 

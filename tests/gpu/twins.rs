@@ -8,23 +8,23 @@ use softbox::shading::point::falloff_response;
 use crate::CONTEXT;
 
 /// Inputs, the f64 answer on them, and the scale of the case.
-struct Case {
-    row: Row,
-    expected: f64,
-    scale: f64,
+pub(crate) struct Case {
+    pub(crate) row: Row,
+    pub(crate) expected: f64,
+    pub(crate) scale: f64,
 }
 
 /// All cases are within the bound, and with `error` planted in the WGSL, as (from, to), some are not.
 #[track_caller]
-fn check(function: &Function, error: (&str, &str), cases: &[Case]) {
+pub(crate) fn check(function: &Function, error: (&str, &str), cases: &[Case]) {
     let (share, worst) = worst(&Twin::new(&CONTEXT, function), cases);
     let Case { row, expected, scale } = &cases[worst];
     println!(
-        "{}: {} rows, worst {share:.3} of the bound: {row:?} → {expected:e}, scale {scale:e}",
+        "{}: {} rows, worst {share:.3} of the bound: {row} → {expected:e}, scale {scale:e}",
         function.name,
         cases.len()
     );
-    assert!(share <= 1.0, "{}: {share} of the bound on {row:?} → {expected:e}, scale {scale:e}", function.name);
+    assert!(share <= 1.0, "{}: {share} of the bound on {row} → {expected:e}, scale {scale:e}", function.name);
 
     let (from, to) = error;
     let broken = Twin::with_error(&CONTEXT, function, from, to).expect("the text to plant an error in is there");
@@ -41,10 +41,10 @@ fn worst(twin: &Twin, cases: &[Case]) -> (f64, usize) {
 }
 
 /// SplitMix64 (G. Steele, D. Lea and C. Flood, OOPSLA 2014).
-struct Random(u64);
+pub(crate) struct Random(pub(crate) u64);
 
 impl Random {
-    fn bits(&mut self) -> u64 {
+    pub(crate) fn bits(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = self.0;
         z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -52,20 +52,20 @@ impl Random {
         z ^ (z >> 31)
     }
 
-    fn within(&mut self, from: f64, to: f64) -> f64 {
+    pub(crate) fn within(&mut self, from: f64, to: f64) -> f64 {
         rounded_number(from + (to - from) * (self.bits() >> 11) as f64 / (1_u64 << 53) as f64)
     }
 
     /// Uniform in the logarithm.
-    fn magnitude(&mut self, from: f64, to: f64) -> f64 {
+    pub(crate) fn magnitude(&mut self, from: f64, to: f64) -> f64 {
         rounded_number(self.within(from.ln(), to.ln()).exp())
     }
 
-    fn point(&mut self, extent: f64) -> DVec3 {
+    pub(crate) fn point(&mut self, extent: f64) -> DVec3 {
         DVec3::from_array([(); 3].map(|()| self.within(-extent, extent)))
     }
 
-    fn direction(&mut self) -> DVec3 {
+    pub(crate) fn direction(&mut self) -> DVec3 {
         loop {
             let v = self.point(1.0);
             if v.length_squared() > 1e-4 && v.length_squared() < 1.0 {
@@ -75,7 +75,7 @@ impl Random {
     }
 
     /// Any real exponent from 1 to 1000.
-    fn exponent(&mut self) -> f64 {
+    pub(crate) fn exponent(&mut self) -> f64 {
         self.magnitude(1.0, 1000.0)
     }
 }

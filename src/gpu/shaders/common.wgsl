@@ -23,11 +23,11 @@ struct Response {
 // A material's Phong lobe: exponent m, and what `shading::PhongLobe` knows of it.
 struct Lobe {
     exponent: f32,
-    // cosᵐ is below the approximations' threshold where the cosine is below this.
+    // The angle beyond which the Chebyshev fit is 0, and its tangent.
     chebyshev_cut: f32,
-    // Coefficients in use.
+    chebyshev_tan_cut: f32,
+    // Coefficients of the powers of φ/cut, the constant first: how many, and they.
     chebyshev_count: u32,
-    unused: u32,
     chebyshev: array<vec4f, 4>,
 }
 
@@ -44,6 +44,24 @@ fn lobe_normalization(m: f32) -> f32 {
 // xᵐ, 0 for x ≤ 0.
 fn power(x: f32, m: f32) -> f32 {
     return select(0.0, exp2(m * log2(max(x, 1e-37))), x > 0.0);
+}
+
+// ln(1 + x) for x > −1, as 2·artanh(x/(2 + x)) near 0.
+fn log_one_plus(x: f32) -> f32 {
+    let z = x / (2.0 + x);
+    let s = z * z;
+    let series = 2.0 * z * (1.0 + s * (1.0 / 3.0 + s * (0.2 + s * (1.0 / 7.0 + s / 9.0))));
+    return select(log(max(1.0 + x, 1e-37)), series, abs(x) < 0.4);
+}
+
+// max(0, r·w)ᵐ of unit vectors: near the peak from the sine, where the cosine has lost what a large m needs.
+fn lobe_power(r: vec3f, w: vec3f, m: f32) -> f32 {
+    let cosine = dot(r, w);
+    if cosine < 0.7 {
+        return power(cosine, m);
+    }
+    let sine = cross(r, w);
+    return exp(0.5 * m * log_one_plus(-dot(sine, sine)));
 }
 
 // Arctangent of y/x in the right quadrant, within 3e-7 of itself; 0 where both are 0.

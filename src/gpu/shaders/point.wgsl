@@ -45,5 +45,5 @@ fn direction_response(w: vec3f, illuminance: f32, n: vec3f, r: vec3f, m: f32) ->
     if cos_n <= 0.0 {
         return Response(0.0, 0.0);
     }
-    return Response(illuminance * cos_n, illuminance * lobe_normalization(m) * power(dot(r, w), m));
+    return Response(illuminance * cos_n, illuminance * lobe_normalization(m) * lobe_power(r, w, m));
 }
