@@ -1,10 +1,13 @@
 //! `point-cluster`: a light as N point lights spread evenly over it.
 
-use glam::DVec3;
+use std::f64::consts::TAU;
 
-use super::point::{falloff_response, point_response};
+use glam::{DVec2, DVec3};
+
+use super::point::{direction_response, falloff_response, point_response};
+use super::sphere::{Cap, sphere_point};
 use super::{PhongLobe, Response, ShadingPoint};
-use crate::light::{LineEmitter, PolygonEmitter};
+use crate::light::{LineEmitter, PolygonEmitter, SphereEmitter};
 
 /// A line as N point lights at the middles of N equal parts.
 pub fn line_cluster(light: &LineEmitter, points: u32, at: &ShadingPoint, lobe: &PhongLobe) -> Response {
@@ -22,6 +25,42 @@ pub fn line_points(light: &LineEmitter, points: u32) -> impl Iterator<Item = DVe
     let (a, b) = (light.a, light.b);
     (0..points).map(move |i| a.lerp(b, (f64::from(i) + 0.5) / f64::from(points)))
 }
+
+/// A sphere as N lights in directions spread evenly over what the point sees of it, each of the same solid angle; as
+/// [`sphere_point`] for N = 1.
+///
+/// The directions are a spiral by the golden angle about the centre: in the i-th, cos is 1 − (i+½)/N·(1 − cos σ).
+pub fn sphere_cluster(light: &SphereEmitter, points: u32, at: &ShadingPoint, lobe: &PhongLobe) -> Response {
+    if points <= 1 {
+        return sphere_point(light, at, lobe);
+    }
+    let cap = Cap::of_sphere(light, at.p, at.n);
+    let r = at.mirror();
+    let part = cap.solid_angle() / f64::from(points);
+    let mut sum = Response::default();
+    for w in cap_directions(&cap, points) {
+        sum += direction_response(w, part, at.n, r, lobe);
+    }
+    sum
+}
+
+/// The directions of [`sphere_cluster`].
+fn cap_directions(cap: &Cap, points: u32) -> impl Iterator<Item = DVec3> {
+    let (x_axis, y_axis) = cap.center().any_orthonormal_pair();
+    let center = cap.center();
+    let depth = cap.solid_angle() / TAU;
+    let turn = DVec2::from_angle(GOLDEN_ANGLE);
+    let mut azimuth = DVec2::X;
+    (0..points).map(move |i| {
+        let fall = depth * (f64::from(i) + 0.5) / f64::from(points);
+        let across = (fall * (2.0 - fall)).sqrt() * azimuth;
+        azimuth = azimuth.rotate(turn);
+        (1.0 - fall) * center + across.x * x_axis + across.y * y_axis
+    })
+}
+
+/// π(3 − √5).
+const GOLDEN_ANGLE: f64 = 2.399_963_229_728_653;
 
 /// A polygon as N Lambertian point lights on rows parallel to its first edge, each standing for its share of the area.
 ///

@@ -4,3 +4,4 @@ mod cases;
 mod line;
 mod polygon;
 mod reference;
+mod sphere;
