@@ -84,26 +84,28 @@ pub fn panels(lo: f64, hi: f64, width: f64, mut f: impl FnMut(f64) -> f64) -> f6
 }
 
 /// ∫ f over [lo, hi] in equal panels no wider than `width`, each halved until halving changes it by no more than
-/// `tolerance`, or 30 times.
+/// `tolerance`, but 1000 times at most.
 pub fn refined_panels(lo: f64, hi: f64, width: f64, tolerance: f64, mut f: impl FnMut(f64) -> f64) -> f64 {
     let mut pending = Vec::new();
     let count = ((hi - lo) / width).ceil().max(1.0);
     let step = (hi - lo) / count;
     let mut i = 0.0;
     while i < count {
-        pending.push((lo + i * step, lo + (i + 1.0) * step, None, 0));
+        pending.push((lo + i * step, lo + (i + 1.0) * step, None));
         i += 1.0;
     }
+    let mut budget = pending.len() + 1000;
     let mut sum = 0.0;
-    while let Some((lo, hi, whole, depth)) = pending.pop() {
+    while let Some((lo, hi, whole)) = pending.pop() {
         let whole: f64 = whole.unwrap_or_else(|| GAUSS_24.integrate(lo, hi, &mut f));
         let middle = 0.5 * (lo + hi);
         let halves = [GAUSS_24.integrate(lo, middle, &mut f), GAUSS_24.integrate(middle, hi, &mut f)];
-        if depth == 30 || (halves[0] + halves[1] - whole).abs() <= tolerance {
+        if budget == 0 || (halves[0] + halves[1] - whole).abs() <= tolerance {
             sum += halves[0] + halves[1];
         } else {
-            pending.push((lo, middle, Some(halves[0]), depth + 1));
-            pending.push((middle, hi, Some(halves[1]), depth + 1));
+            budget -= 1;
+            pending.push((lo, middle, Some(halves[0])));
+            pending.push((middle, hi, Some(halves[1])));
         }
     }
     sum
