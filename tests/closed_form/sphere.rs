@@ -126,7 +126,8 @@ fn light_all_around_gives_the_whole_lobe() {
 
 #[test]
 fn hermite_fits_are_as_far_off_as_the_paper_shows() {
-    let fits: [(fn(&Cap, DVec3) -> f64, [f64; 5]); 2] = [
+    type Fit = fn(&Cap, DVec3) -> f64;
+    let fits: [(Fit, [f64; 5]); 2] = [
         (cap_irradiance_hermite_1, [0.0076, 0.0215, 0.034, 0.043, 0.0105]),
         (cap_irradiance_hermite_2, [0.0008, 0.0023, 0.0038, 0.0056, 0.0056]),
     ];
