@@ -2,6 +2,7 @@
 
 mod check;
 mod schema;
+mod verify;
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -46,6 +47,7 @@ pub struct Arguments {
 #[derive(Debug, Subcommand)]
 enum Command {
     Check(check::Args),
+    Verify(verify::Args),
     /// Print the JSON Schema of scene files.
     Schema,
 }
@@ -66,6 +68,7 @@ pub fn parse() -> Result<Arguments, anyhow::Result<Outcome>> {
 pub fn run(arguments: &Arguments) -> anyhow::Result<Outcome> {
     match &arguments.command {
         Some(Command::Check(args)) => check::run(args),
+        Some(Command::Verify(args)) => verify::run(args),
         Some(Command::Schema) => schema::run(),
         None => open_editor(arguments.scene.as_deref()),
     }

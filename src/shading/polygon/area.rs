@@ -91,8 +91,8 @@ impl FromIterator<f64> for EdgeSum {
 impl EdgeSum {
     /// Whether rounding matters both beside the value and beside `solid_angle_weight` times the light's solid angle.
     pub(super) fn cancels(&self, vertices: &[DVec3], p: DVec3, solid_angle_weight: f64) -> bool {
-        let noise = 4.0 * f64::EPSILON * self.size;
-        noise > 1e-12 * self.value.abs() && noise > 1e-14 * solid_angle_weight * solid_angle(vertices, p)
+        let noise = 16.0 * f64::EPSILON * self.size;
+        noise > 4e-12 * self.value.abs() && noise > 1e-14 * solid_angle_weight * solid_angle(vertices, p)
     }
 }
 
