@@ -11,10 +11,38 @@ pub struct Preset {
 }
 
 /// Light presets, in menu order.
-pub const LIGHTS: &[Preset] = &[];
+pub const LIGHTS: &[Preset] = &[
+    Preset { stem: "window", text: include_str!("../../presets/lights/window.toml") },
+    Preset { stem: "softbox", text: include_str!("../../presets/lights/softbox.toml") },
+    Preset { stem: "strip-softbox", text: include_str!("../../presets/lights/strip-softbox.toml") },
+    Preset { stem: "octabox", text: include_str!("../../presets/lights/octabox.toml") },
+    Preset { stem: "beauty-dish", text: include_str!("../../presets/lights/beauty-dish.toml") },
+    Preset { stem: "ring-light", text: include_str!("../../presets/lights/ring-light.toml") },
+    Preset { stem: "panel", text: include_str!("../../presets/lights/panel.toml") },
+    Preset { stem: "fluorescent-tube", text: include_str!("../../presets/lights/fluorescent-tube.toml") },
+    Preset { stem: "neon-tube", text: include_str!("../../presets/lights/neon-tube.toml") },
+    Preset { stem: "letter-e", text: include_str!("../../presets/lights/letter-e.toml") },
+    Preset { stem: "globe", text: include_str!("../../presets/lights/globe.toml") },
+    Preset { stem: "paper-lantern", text: include_str!("../../presets/lights/paper-lantern.toml") },
+    Preset { stem: "desk-lamp", text: include_str!("../../presets/lights/desk-lamp.toml") },
+    Preset { stem: "bulb", text: include_str!("../../presets/lights/bulb.toml") },
+    Preset { stem: "candle", text: include_str!("../../presets/lights/candle.toml") },
+    Preset { stem: "sun", text: include_str!("../../presets/lights/sun.toml") },
+];
 
 /// Example scenes, in menu order.
-pub const SCENES: &[Preset] = &[];
+pub const SCENES: &[Preset] = &[
+    Preset { stem: "first-light", text: include_str!("../../presets/scenes/first-light.toml") },
+    Preset { stem: "window-and-strip", text: include_str!("../../presets/scenes/window-and-strip.toml") },
+    Preset { stem: "product-table", text: include_str!("../../presets/scenes/product-table.toml") },
+    Preset { stem: "portrait", text: include_str!("../../presets/scenes/portrait.toml") },
+    Preset { stem: "gallery", text: include_str!("../../presets/scenes/gallery.toml") },
+    Preset { stem: "corridor", text: include_str!("../../presets/scenes/corridor.toml") },
+    Preset { stem: "night-street", text: include_str!("../../presets/scenes/night-street.toml") },
+    Preset { stem: "letter", text: include_str!("../../presets/scenes/letter.toml") },
+    Preset { stem: "three-spheres", text: include_str!("../../presets/scenes/three-spheres.toml") },
+    Preset { stem: "line-falloff", text: include_str!("../../presets/scenes/line-falloff.toml") },
+];
 
 impl Preset {
     /// Its name in menus: the file's, with spaces.
@@ -29,5 +57,31 @@ impl Preset {
     /// The scene it holds.
     pub fn load(&self) -> Result<Scene, LoadError> {
         scene::parse(self.text, format!("{}.toml", self.stem))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Every file of the folder is in the menu, and every entry of the menu opens.
+    #[track_caller]
+    fn check(presets: &[Preset], folder: &str) {
+        let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("presets").join(folder);
+        let mut files: Vec<_> = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
+        files.sort();
+        let mut stems: Vec<_> = presets.iter().map(|preset| preset.stem).collect();
+        stems.sort_unstable();
+        let of_files: Vec<_> = files.iter().filter_map(|file| file.file_stem()?.to_str()).collect();
+        assert_eq!(stems, of_files, "the menu has the folder's files");
+        for preset in presets {
+            preset.load().unwrap_or_else(|error| panic!("{error}"));
+        }
+    }
+
+    #[test]
+    fn the_menus_have_every_shipped_file() {
+        check(SCENES, "scenes");
+        check(LIGHTS, "lights");
     }
 }

@@ -77,6 +77,36 @@ pub enum Emitter {
 }
 
 impl Light {
+    /// A white light of that shape at the origin, of an everyday strength.
+    pub fn new(name: impl Into<String>, shape: Shape) -> Self {
+        Self {
+            name: name.into(),
+            position: DVec3::ZERO,
+            rotation_deg: DVec3::ZERO,
+            tint: Tint::default(),
+            quantity: shape.everyday_quantity(),
+            muted: false,
+            shape,
+        }
+    }
+
+    /// The light's emission in another quantity; none where the shape does not have it.
+    pub fn in_quantity(&self, kind: QuantityKind) -> Option<f64> {
+        if kind == self.quantity.kind() {
+            return Some(self.quantity.value());
+        }
+        let strength_per = self.shape.strength_per(kind);
+        (strength_per > 0.0).then(|| self.strength() / strength_per)
+    }
+
+    /// State the same emission in another quantity, which then stays when the light is resized. Does nothing where
+    /// the shape does not have it.
+    pub fn restate(&mut self, kind: QuantityKind) {
+        if let Some(value) = self.in_quantity(kind) {
+            self.quantity = Quantity::new(kind, value);
+        }
+    }
+
     /// The transform from the light's own frame to the world.
     pub fn world_from_light(&self) -> DAffine3 {
         frame::world_from_local(self.position, self.rotation_deg)
@@ -139,6 +169,19 @@ impl Shape {
         }
     }
 
+    /// What a new light of this shape emits: as bright as a window on a dull day, a fluorescent tube, a bulb, an
+    /// office.
+    fn everyday_quantity(&self) -> Quantity {
+        let kind = self.strength_kind();
+        let value = match self {
+            Self::Polygon(_) | Self::Sphere(_) => 1000.0,
+            Self::Line(_) => 200.0,
+            Self::Point(_) => 100.0,
+            Self::Directional(_) => 500.0,
+        };
+        Quantity::new(kind, value)
+    }
+
     /// Strength per unit of `kind`; 0 where the shape cannot be stated so.
     pub fn strength_per(&self, kind: QuantityKind) -> f64 {
         if kind == self.strength_kind() {
@@ -152,5 +195,71 @@ impl Shape {
             Self::Directional(_) => 0.0,
         };
         if kind == QuantityKind::Flux && flux_per_strength > 0.0 { flux_per_strength.recip() } else { 0.0 }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::PI;
+
+    use glam::dvec2;
+
+    use super::*;
+
+    fn rectangle(two_sided: bool) -> Shape {
+        let vertices = vec![dvec2(-1.0, -0.5), dvec2(1.0, -0.5), dvec2(1.0, 0.5), dvec2(-1.0, 0.5)];
+        Shape::Polygon(Polygon { vertices, two_sided })
+    }
+
+    #[track_caller]
+    fn check(shape: Shape, kind: QuantityKind, expected: f64) {
+        let light = Light::new("light", shape);
+        let unit = light.quantity.value();
+        let value = light.in_quantity(kind).expect("the shape has this quantity");
+        assert!((value / (unit * expected) - 1.0).abs() < 1e-15, "{kind:?} is {value}, not {unit} times {expected}");
+    }
+
+    #[test]
+    fn flux_follows_from_the_quantity_of_each_shape() {
+        check(rectangle(false), QuantityKind::Flux, PI * 2.0);
+        check(rectangle(true), QuantityKind::Flux, 2.0 * PI * 2.0);
+        check(Shape::Sphere(Sphere { radius: 0.3 }), QuantityKind::Flux, 4.0 * PI * PI * 0.09);
+        let line = Line { length: 1.5, emission: LineEmission::Isotropic, falloff: 2.0 };
+        check(Shape::Line(line), QuantityKind::Flux, 4.0 * PI * 1.5);
+        check(Shape::Point(Point {}), QuantityKind::Flux, 4.0 * PI);
+    }
+
+    #[test]
+    fn a_shape_has_the_quantities_that_it_names_and_no_others() {
+        let line = Line { length: 1.5, emission: LineEmission::Isotropic, falloff: 2.0 };
+        let shapes = [
+            rectangle(false),
+            Shape::Line(line),
+            Shape::Sphere(Sphere { radius: 0.3 }),
+            Shape::Point(Point {}),
+            Shape::Directional(Directional {}),
+        ];
+        for shape in shapes {
+            let light = Light::new("light", shape);
+            for kind in QuantityKind::ALL {
+                let has = light.shape.quantity_kinds().contains(&kind);
+                assert_eq!(light.in_quantity(kind).is_some(), has, "{kind:?} of a {}", light.shape.name());
+            }
+        }
+    }
+
+    #[test]
+    fn restating_keeps_the_emission_and_decides_what_stays_when_resized() {
+        let mut light = Light::new("light", rectangle(false));
+        let strength = light.strength();
+        light.restate(QuantityKind::Flux);
+        assert_eq!(light.quantity.kind(), QuantityKind::Flux, "now stated as flux");
+        assert!((light.strength() / strength - 1.0).abs() < 1e-15, "{} was {strength}", light.strength());
+        light.restate(QuantityKind::Intensity);
+        assert_eq!(light.quantity.kind(), QuantityKind::Flux, "a polygon has no intensity to state");
+
+        let Shape::Polygon(polygon) = &mut light.shape else { unreachable!("it is a polygon") };
+        polygon.vertices.iter_mut().for_each(|vertex| *vertex *= 2.0);
+        assert!((light.strength() / (0.25 * strength) - 1.0).abs() < 1e-15, "the same flux from four times the area");
     }
 }

@@ -155,3 +155,40 @@ impl PolygonEmitter {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[track_caller]
+    fn check(vertices: &[[f64; 2]], expected: Result<(), PolygonError>) {
+        let mut vertices: Vec<_> = vertices.iter().copied().map(DVec2::from).collect();
+        let polygon = Polygon { vertices: vertices.clone(), two_sided: false };
+        assert_eq!(polygon.check(), expected, "{vertices:?}");
+        vertices.reverse();
+        let reversed = Polygon { vertices, two_sided: false };
+        assert_eq!(reversed.check().is_ok(), expected.is_ok(), "the other way round: {reversed:?}");
+    }
+
+    #[test]
+    fn simple_polygons_pass_convex_or_not() {
+        check(&[[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]], Ok(()));
+        check(&[[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [1.0, 0.5], [0.0, 2.0]], Ok(()));
+        // A vertex in the middle of a straight side is allowed.
+        check(&[[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [1.0, 1.0]], Ok(()));
+        // A sliver that only exact orientation tells from a line.
+        check(&[[0.0, 0.0], [1.0, 1.0], [2.0, 2.0 + 4.0 * f64::EPSILON]], Ok(()));
+    }
+
+    #[test]
+    fn each_fault_is_named_with_its_place() {
+        check(&[[0.0, 0.0], [1.0, 0.0]], Err(PolygonError::TooFewVertices(2)));
+        check(&[[0.0, 0.0], [1.0, 1.0], [2.0, 2.0], [3.0, 3.0]], Err(PolygonError::Flat));
+        check(&[[0.0, 0.0], [1.0, 0.0], [1.0, 0.0], [0.0, 1.0]], Err(PolygonError::RepeatedVertex(1, 2)));
+        check(&[[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [0.0, 0.0]], Err(PolygonError::RepeatedVertex(3, 0)));
+        check(&[[0.0, 0.0], [1.0, 1.0], [1.0, 0.0], [0.0, 1.0]], Err(PolygonError::Crossing(0, 2)));
+        // A vertex that lies on an edge, and an edge that runs back over the one before.
+        check(&[[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [1.0, 0.0], [0.0, 1.0]], Err(PolygonError::Crossing(0, 2)));
+        check(&[[0.0, 0.0], [2.0, 0.0], [1.0, 0.0], [1.0, 1.0]], Err(PolygonError::Crossing(0, 1)));
+    }
+}

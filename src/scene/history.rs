@@ -114,3 +114,69 @@ impl History {
         self.saved = Arc::clone(&self.current);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn rename(history: &mut History, name: &str) {
+        history.edit(&format!("Rename to {name}"), |scene| name.clone_into(&mut scene.name));
+    }
+
+    #[test]
+    fn a_gesture_is_one_step_however_many_edits_it_has() {
+        let mut history = History::new(Scene::default());
+        history.begin("Drag");
+        for name in ["a", "b", "c"] {
+            rename(&mut history, name);
+        }
+        assert!(history.in_gesture(), "still dragging");
+        history.commit();
+        assert_eq!(history.undo().as_deref(), Some("Drag"), "one step back");
+        assert_eq!(**history.scene(), Scene::default(), "to the start");
+        assert_eq!(history.undo(), None, "there is no other step");
+        assert_eq!(history.redo().as_deref(), Some("Drag"), "and forth");
+        assert_eq!(history.scene().name, "c", "to the gesture's end");
+    }
+
+    #[test]
+    fn an_aborted_or_idle_gesture_leaves_no_step_and_keeps_what_can_be_redone() {
+        let mut history = History::new(Scene::default());
+        rename(&mut history, "a");
+        history.undo();
+        history.begin("Drag");
+        rename(&mut history, "b");
+        history.abort();
+        history.begin("Click");
+        history.commit();
+        assert_eq!(history.undo_label(), None, "nothing was done");
+        assert_eq!(history.redo_label(), Some("Rename to a"), "redo is not lost");
+        assert_eq!(history.scene().name, "", "the aborted edit is taken back");
+    }
+
+    #[test]
+    fn a_new_step_ends_what_could_be_redone() {
+        let mut history = History::new(Scene::default());
+        rename(&mut history, "a");
+        history.undo();
+        rename(&mut history, "b");
+        assert_eq!(history.redo_label(), None, "the other future is gone");
+        assert_eq!(history.undo_label(), Some("Rename to b"), "the new one is there");
+    }
+
+    #[test]
+    fn going_back_to_what_was_saved_is_unmodified() {
+        let mut history = History::new(Scene::default());
+        rename(&mut history, "a");
+        history.mark_saved();
+        rename(&mut history, "b");
+        assert!(history.is_modified(), "b is not saved");
+        rename(&mut history, "a");
+        assert!(!history.is_modified(), "the same scene by another way");
+        history.undo();
+        history.undo();
+        assert!(!history.is_modified(), "undone to the saved step");
+        history.undo();
+        assert!(history.is_modified(), "before it");
+    }
+}

@@ -52,3 +52,9 @@ impl Scene {
         self.materials.iter().find(|material| material.name == name)
     }
 }
+
+/// The scene that the program opens when it is not given one: a ball and a box under a window.
+pub fn first_light() -> Scene {
+    let text = include_str!("../../presets/scenes/first-light.toml");
+    parse(text, "first-light.toml").expect("a test opens every preset")
+}
