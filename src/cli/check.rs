@@ -11,14 +11,14 @@ use crate::scene::{self, LoadError};
 /// Prints every problem with its file, line, column and path. Exit status: 0 all files are right, 1 a file is wrong,
 /// 2 a file cannot be read.
 #[derive(Debug, clap::Args)]
-pub struct Args {
+pub(super) struct Args {
     /// Scene files.
     #[arg(required = true)]
     files: Vec<PathBuf>,
 }
 
 /// Check each file; what cannot be read ends the run.
-pub fn run(args: &Args) -> anyhow::Result<Outcome> {
+pub(super) fn run(args: &Args) -> anyhow::Result<Outcome> {
     let mut outcome = Outcome::Done;
     for file in &args.files {
         match scene::load(file) {

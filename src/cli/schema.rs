@@ -6,7 +6,7 @@ use super::Outcome;
 use crate::scene;
 
 /// Print the JSON Schema of scene files.
-pub fn run() -> anyhow::Result<Outcome> {
+pub(super) fn run() -> anyhow::Result<Outcome> {
     writeln!(std::io::stdout(), "{:#}", scene::schema())?;
     Ok(Outcome::Done)
 }

@@ -1,0 +1,152 @@
+//! Random scenes, and random damage to a file.
+
+use glam::{DVec2, DVec3};
+use proptest::prelude::*;
+use softbox::light::{self, Light, Quantity, Tint};
+use softbox::scene::{self, Camera, Display, Plot, PlotKind, PlotQuantity, Scene};
+use softbox::surface::{self, Material, Surface};
+
+use super::WINDOW;
+
+/// Numbers of every magnitude that a scene may hold.
+fn number() -> impl Strategy<Value = f64> {
+    prop_oneof![-10.0..10.0, -1e9..1e9, -1e-9..1e-9, Just(0.0), Just(0.1 + 0.2)]
+}
+
+fn positive() -> impl Strategy<Value = f64> {
+    prop_oneof![1e-3..10.0, 1e-12..1e-3, 10.0..1e9]
+}
+
+fn vector() -> impl Strategy<Value = DVec3> {
+    [number(), number(), number()].prop_map(DVec3::from)
+}
+
+/// Names with what TOML must escape.
+fn name() -> impl Strategy<Value = String> {
+    r#"[a-z"'\\# \[\]=.\u{e9}\u{1f4a1}]{1,12}"#
+}
+
+fn light_shape() -> impl Strategy<Value = light::Shape> {
+    let polygon = (proptest::collection::vec(positive(), 3..12), any::<bool>()).prop_map(|(radii, two_sided)| {
+        // About its centre, a vertex every equal angle: simple whatever the radii.
+        let turn = std::f64::consts::TAU / radii.len() as f64;
+        let vertices = radii.iter().enumerate().map(|(i, r)| *r * DVec2::from_angle(turn * i as f64)).collect();
+        light::Shape::Polygon(light::Polygon { vertices, two_sided })
+    });
+    let line = (positive(), 0.0..=3.0).prop_map(|(length, falloff)| light::Line {
+        length,
+        emission: light::LineEmission::Isotropic,
+        falloff,
+    });
+    prop_oneof![
+        polygon,
+        line.prop_map(light::Shape::Line),
+        positive().prop_map(|radius| light::Shape::Sphere(light::Sphere { radius })),
+        Just(light::Shape::Point(light::Point {})),
+        Just(light::Shape::Directional(light::Directional {})),
+    ]
+}
+
+fn tint() -> impl Strategy<Value = Tint> {
+    prop_oneof![
+        Just(Tint::default()),
+        [positive(), positive(), positive()].prop_map(|rgb| Tint::Color(rgb.into())),
+        (1000.0..=40_000.0).prop_map(Tint::TemperatureK),
+    ]
+}
+
+fn any_light() -> impl Strategy<Value = Light> {
+    (name(), vector(), vector(), tint(), any::<bool>(), light_shape(), any::<bool>(), positive()).prop_map(
+        |(name, position, rotation_deg, tint, muted, shape, last, value)| {
+            let kinds = shape.quantity_kinds();
+            let kind = kinds[if last { kinds.len() - 1 } else { 0 }];
+            Light { name, position, rotation_deg, tint, quantity: Quantity::new(kind, value), muted, shape }
+        },
+    )
+}
+
+fn any_surface() -> impl Strategy<Value = Surface> {
+    let size = || [positive(), positive(), positive()];
+    let shape = prop_oneof![
+        Just(surface::Shape::Plane {}),
+        positive().prop_map(|radius| surface::Shape::Sphere { radius }),
+        size().prop_map(|size| surface::Shape::Box { size: size.into() }),
+        size().prop_map(|[x, y, _]| surface::Shape::Square { size: DVec2::new(x, y) }),
+        positive().prop_map(|radius| surface::Shape::Disk { radius }),
+        size().prop_map(|[radius, height, _]| surface::Shape::Cylinder { radius, height }),
+        size().prop_map(|[radius, height, _]| surface::Shape::Cone { radius, height }),
+    ];
+    (name(), vector(), vector(), size(), shape).prop_map(|(name, position, rotation_deg, scale, shape)| Surface {
+        name,
+        material: "clay".to_owned(),
+        position,
+        rotation_deg,
+        scale: scale.into(),
+        shape,
+    })
+}
+
+fn any_plot() -> impl Strategy<Value = Plot> {
+    let kind = prop_oneof![Just(PlotKind::Tilt), Just(PlotKind::View), Just(PlotKind::Line), Just(PlotKind::Distance)];
+    let material = proptest::option::of(Just("clay".to_owned()));
+    (name(), kind, vector(), proptest::option::of(positive()), positive(), material, any::<bool>()).prop_map(
+        |(name, kind, position, view, first, material, normalise)| Plot {
+            name,
+            kind,
+            quantity: PlotQuantity::Radiance,
+            position,
+            normal: DVec3::new(first, 0.0, -1.0),
+            view: view.map(DVec3::splat),
+            axis: DVec3::X,
+            range: [0.5 * first, first],
+            material,
+            normalise,
+        },
+    )
+}
+
+/// Rename so that no two are called the same.
+fn number_names<T>(entries: &mut [T], name_of: impl Fn(&mut T) -> &mut String) {
+    for (i, entry) in entries.iter_mut().enumerate() {
+        name_of(entry).push_str(&i.to_string());
+    }
+}
+
+fn any_scene() -> impl Strategy<Value = Scene> {
+    use proptest::collection::vec;
+    let camera = (vector(), 0.1..179.0)
+        .prop_map(|(eye, fov_deg)| Camera { eye, target: eye + DVec3::splat(1.0 + 1e-3 * eye.length()), fov_deg })
+        .prop_filter("the camera looks somewhere within the limits", |camera| camera.target.max_element() < 1e9);
+    (name(), camera, -100.0..=100.0, vec(any_surface(), 0..4), vec(any_light(), 0..4), vec(any_plot(), 0..3)).prop_map(
+        |(name, camera, exposure_ev, mut surfaces, mut lights, mut plots)| {
+            number_names(&mut surfaces, |surface| &mut surface.name);
+            number_names(&mut lights, |light| &mut light.name);
+            number_names(&mut plots, |plot| &mut plot.name);
+            let clay =
+                Material { name: "clay".to_owned(), diffuse: DVec3::splat(0.3), specular: DVec3::ZERO, exponent: 1.5 };
+            let display = Display { exposure_ev };
+            Scene { name, camera, display, materials: vec![clay], surfaces, lights, plots }
+        },
+    )
+}
+
+proptest! {
+    #[test]
+    fn any_scene_is_read_as_it_was_written(scene in any_scene()) {
+        let text = scene::to_toml(&scene);
+        let read = scene::parse(&text, "any.toml").map_err(|error| TestCaseError::fail(format!("{error}\n{text}")))?;
+        prop_assert_eq!(&read, &scene, "the same scene");
+        prop_assert_eq!(scene::to_toml(&read), text, "the same text");
+    }
+
+    #[test]
+    fn no_text_makes_the_loader_panic(edit in 0..WINDOW.len(), insertion in ".{0,3}", cut in 0..40_usize) {
+        let mut text = WINDOW.to_owned();
+        let start = text.floor_char_boundary(edit);
+        let end = text.ceil_char_boundary((edit + cut).min(text.len()));
+        text.replace_range(start..end, &insertion);
+        if let Err(error) = scene::parse(&text, "any.toml") {
+            prop_assert!(error.to_string().starts_with("any.toml:"), "{}", error);
+        }
+    }
+}
