@@ -7,11 +7,12 @@ use egui_tiles::Tree;
 
 use super::commands::{self, Command};
 use super::dialogs::Dialogs;
-use super::files::{Files, Then, starting_scene};
+use super::files::{Files, Then};
 use super::panes::{self, Choice, Messages, Pane, Panes, Views};
 use super::session::Session;
 use super::theme;
 use super::viewport::Viewport;
+use crate::scene;
 
 /// Where the arrangement of panes is kept between runs; another number where old arrangements no longer fit.
 const LAYOUT_KEY: &str = "layout-1";
@@ -34,13 +35,13 @@ pub struct App {
 }
 
 impl App {
-    /// A window on the scene at `path`, or on a new one.
+    /// A window on the scene at `path`, or on the one that shows what the program is for.
     pub fn new(cc: &eframe::CreationContext<'_>, path: Option<&Path>, dialogs: Box<dyn Dialogs>) -> Self {
         theme::install(&cc.egui_ctx);
         let recent = cc.storage.and_then(|storage| eframe::get_value(storage, RECENT_KEY));
         let layout = cc.storage.and_then(|storage| eframe::get_value(storage, LAYOUT_KEY));
         let mut app = Self {
-            session: Session::new(starting_scene(), None),
+            session: Session::new(scene::first_light(), None),
             files: Files::new(recent.unwrap_or_default()),
             dialogs,
             layout: layout.unwrap_or_else(panes::default_layout),
