@@ -61,6 +61,11 @@ impl App {
         self.layout = panes::default_layout();
     }
 
+    /// Whether work is under way, off this thread, that will change what is shown.
+    pub fn is_busy(&self) -> bool {
+        self.files.is_waiting()
+    }
+
     /// Show or hide the list of keys.
     pub fn toggle_keys(&mut self) {
         self.keys_shown ^= true;
@@ -150,10 +155,13 @@ impl eframe::App for App {
     fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
         let ctx = ui.ctx().clone();
         self.handle_events(&ctx);
-        // Whatever the pointer is over says what it would do.
-        self.session.hint.clear();
         let mut chosen = self.bars(ui);
+        // Whatever the pointer is over says what it would do; the status bar shows it in the next frame.
+        let shown_hint = std::mem::take(&mut self.session.hint);
         chosen.extend(self.panes(ui));
+        if self.session.hint != shown_hint {
+            ctx.request_repaint();
+        }
         for command in chosen {
             command.run(self, &ctx);
         }

@@ -54,7 +54,7 @@ pub fn run(path: Option<PathBuf>) -> Result<(), EditorError> {
         viewport: ViewportBuilder::default()
             .with_app_id("softbox")
             .with_title("Softbox")
-            .with_inner_size([1280.0, 800.0])
+            .with_inner_size([1280.0, 760.0])
             .with_min_inner_size([900.0, 560.0]),
         renderer: eframe::Renderer::Wgpu,
         system_font_fallback: false,

@@ -144,7 +144,7 @@ fn visuals(theme: Theme, palette: &Palette) -> Visuals {
         expansion: 0.0,
     };
     visuals.widgets.noninteractive = widget(palette.panel, palette.line, palette.text);
-    visuals.widgets.inactive = widget(palette.button, Color32::TRANSPARENT, palette.text);
+    visuals.widgets.inactive = widget(palette.button, palette.line, palette.text);
     visuals.widgets.hovered = widget(palette.hovered, palette.line, palette.strong);
     visuals.widgets.active = widget(palette.pressed, palette.accent, palette.strong);
     visuals.widgets.open = widget(palette.pressed, palette.line, palette.strong);

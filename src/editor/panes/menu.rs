@@ -1,6 +1,6 @@
 //! The menu bar and the toolbar.
 
-use egui::{Button, RichText, Ui, vec2};
+use egui::{Button, Ui, vec2};
 use egui_material_icons::MaterialIcon;
 use egui_material_icons::icons;
 
@@ -71,7 +71,7 @@ fn file_menu(ui: &mut Ui, session: &Session, files: &Files, chosen: &mut Option<
 }
 
 fn view_menu(ui: &mut Ui, session: &Session, chosen: &mut Option<Command>) {
-    ui.menu_button("Method", |ui| entries(ui, session, &VIEW_METHODS.map(Command::Method), chosen));
+    ui.menu_button("Shading method", |ui| entries(ui, session, &VIEW_METHODS.map(Command::Method), chosen));
     ui.separator();
     entries(ui, session, &[Command::Focus, Command::FrameAll, Command::ResetView, Command::SaveView], chosen);
     ui.separator();
@@ -92,7 +92,8 @@ fn entry(ui: &mut Ui, session: &Session, command: &Command, chosen: &mut Option<
     if let Some(shortcut) = command.shortcut() {
         button = button.shortcut_text(ui.ctx().format_shortcut(&shortcut));
     }
-    if ui.add_enabled(command.enabled(session), button).clicked() {
+    let response = ui.add_enabled(command.enabled(session), button).accessible_name(command.label(session));
+    if response.clicked() {
         *chosen = Some(command.clone());
     }
 }
@@ -121,9 +122,6 @@ pub fn toolbar(ui: &mut Ui, session: &mut Session) -> Option<Command> {
         ui.separator();
         tool_button(ui, session, icons::ICON_CENTER_FOCUS_STRONG, Command::Focus, &mut chosen);
         tool_button(ui, session, icons::ICON_ZOOM_OUT_MAP, Command::FrameAll, &mut chosen);
-        ui.separator();
-        methods(ui, session, &mut chosen);
-        exposure(ui, session);
     });
     chosen
 }
@@ -166,33 +164,4 @@ fn work_plane(ui: &mut Ui, session: &mut Session) {
     }
     let grid = egui::DragValue::new(&mut plane.grid).speed(0.005).range(0.001..=10.0).suffix(" m");
     ui.add_enabled(snap, grid).accessible_name("Grid spacing").on_hover_text("Grid spacing");
-}
-
-fn methods(ui: &mut Ui, session: &Session, chosen: &mut Option<Command>) {
-    let current = session.view.method;
-    let combo =
-        egui::ComboBox::from_id_salt("view method").selected_text(RichText::new(current.to_string())).width(120.0);
-    let response = combo.show_ui(ui, |ui| {
-        for method in VIEW_METHODS {
-            if ui.selectable_label(method == current, method.to_string()).clicked() {
-                *chosen = Some(Command::Method(method));
-            }
-        }
-    });
-    response.response.accessible_name("Method").on_hover_text("By which method lights are shaded in the view");
-}
-
-fn exposure(ui: &mut Ui, session: &mut Session) {
-    let mut ev = session.scene().display.exposure_ev;
-    let drag = egui::DragValue::new(&mut ev).speed(0.02).range(-20.0..=20.0).max_decimals(2).suffix(" EV");
-    let response = ui.add(drag).accessible_name("View exposure").on_hover_text("Exposure; at 0, 100 cd/m² is white");
-    if response.drag_started() || response.gained_focus() {
-        session.begin("Change exposure");
-    }
-    if response.changed() {
-        session.edit("Change exposure", |scene| scene.display.exposure_ev = ev);
-    }
-    if response.drag_stopped() || response.lost_focus() {
-        session.commit();
-    }
 }

@@ -64,7 +64,7 @@ pub fn default_layout() -> Tree<Pane> {
     let viewport = tab(&mut tiles, &[Pane::Viewport]);
     let below = tab(&mut tiles, &[Pane::Problems]);
     let inspector = tab(&mut tiles, &[Pane::Inspector]);
-    let middle = insert(&mut tiles, LinearDir::Vertical, &[(viewport, 0.66), (below, 0.34)]);
+    let middle = insert(&mut tiles, LinearDir::Vertical, &[(viewport, 0.6), (below, 0.4)]);
     let root = insert(&mut tiles, LinearDir::Horizontal, &[(outliner, 0.17), (middle, 0.585), (inspector, 0.245)]);
     Tree::new(egui::Id::unique("panes"), root, tiles)
 }

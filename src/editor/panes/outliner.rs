@@ -101,7 +101,7 @@ impl Outliner {
                 let selected = session.selection.contains(item);
                 let label =
                     egui::Button::selectable(selected, text).truncate().right_text("").min_size(vec2(width, 20.0));
-                let response = ui.add(label).on_hover_text(hover_text(scene, item));
+                let response = ui.add(label).on_hover_text(hover_text(scene, item)).accessible_name(name);
                 if response.double_clicked() {
                     asked.push(Ask::StartRenaming(item));
                 } else if response.clicked() {
@@ -236,7 +236,12 @@ fn swatch(ui: &mut Ui, scene: &Scene, item: Item) {
     let weak = ui.visuals().weak_text_color();
     let (icon, color) = match item {
         Item::Light(i) => match scene.lights.get(i) {
-            Some(light) => (light_icon(&light.shape), display_color(light.tint.rgb())),
+            Some(light) => {
+                let color = display_color(light.tint.rgb());
+                // White would be lost on a light pane.
+                let shade = if ui.visuals().dark_mode { 0.0 } else { 0.3 };
+                (light_icon(&light.shape), color.lerp_to_gamma(Color32::BLACK, shade))
+            }
             None => return,
         },
         Item::Surface(i) => (scene.surfaces.get(i).map_or(icons::ICON_CATEGORY, |s| surface_icon(&s.shape)), weak),

@@ -102,9 +102,9 @@ impl Fields<'_> {
         value: f64,
         set: impl FnOnce(&mut Scene, f64),
     ) {
-        row_label(ui, label);
+        let name = row_label(ui, label);
         let mut edited = value;
-        let response = drag(ui, label, style, &mut edited, ui.available_width().min(110.0));
+        let response = drag(ui, style, &mut edited, ui.available_width().min(110.0)).labelled_by(name);
         self.apply(&response, &format!("Change {}", label.to_lowercase()), |scene| set(scene, edited));
         ui.end_row();
     }
@@ -147,7 +147,7 @@ impl Fields<'_> {
         choices: &[(T, String)],
         set: impl FnOnce(&mut Scene, T),
     ) {
-        row_label(ui, label);
+        let name = row_label(ui, label);
         let shown = choices.iter().find(|(choice, _)| choice == current).map_or("", |(_, name)| name.as_str());
         let mut picked = current.clone();
         let combo = egui::ComboBox::from_id_salt(label).selected_text(shown).width(110.0);
@@ -156,7 +156,7 @@ impl Fields<'_> {
                 ui.selectable_value(&mut picked, choice.clone(), name);
             }
         });
-        response.response = response.response.accessible_name(label);
+        response.response = response.response.labelled_by(name);
         if picked != *current {
             response.response.mark_changed();
         }
@@ -166,9 +166,9 @@ impl Fields<'_> {
 
     /// A row with a box to tick.
     pub(super) fn toggle(&mut self, ui: &mut Ui, label: &str, value: bool, set: impl FnOnce(&mut Scene, bool)) {
-        row_label(ui, label);
+        let name = row_label(ui, label);
         let mut ticked = value;
-        let response = ui.checkbox(&mut ticked, "").accessible_name(label);
+        let response = ui.checkbox(&mut ticked, "").labelled_by(name);
         self.apply_now(&response, &format!("Change {}", label.to_lowercase()), |scene| set(scene, ticked));
         ui.end_row();
     }
@@ -198,7 +198,7 @@ impl Fields<'_> {
             for (i, name) in names.into_iter().enumerate() {
                 let mut edited = value;
                 let name = format!("{label} {name}");
-                let response = drag(ui, &name, &bare, &mut edited[i], width);
+                let response = drag(ui, &bare, &mut edited[i], width).accessible_name(&name);
                 let response = response.on_hover_text(format!("{name}{}", unit_in_brackets(style.unit)));
                 self.apply(&response, &format!("Change {}", label.to_lowercase()), |scene| set(scene, edited));
             }
@@ -206,13 +206,13 @@ impl Fields<'_> {
     }
 }
 
-/// The label at the start of a row.
-pub(super) fn row_label(ui: &mut Ui, label: &str) {
-    ui.with_layout(egui::Layout::left_to_right(egui::Align::Center), |ui| ui.weak(label));
+/// The label at the start of a row, by which the row's widget is found.
+pub(super) fn row_label(ui: &mut Ui, label: &str) -> Id {
+    ui.with_layout(egui::Layout::left_to_right(egui::Align::Center), |ui| ui.weak(label).id).inner
 }
 
-/// A number to drag or type, found by `name`.
-pub(super) fn drag(ui: &mut Ui, name: &str, style: &Number, value: &mut f64, width: f32) -> Response {
+/// A number to drag or type.
+pub(super) fn drag(ui: &mut Ui, style: &Number, value: &mut f64, width: f32) -> Response {
     let height = ui.spacing().interact_size.y;
     let drag = DragValue::new(value)
         .speed(style.speed)
@@ -220,7 +220,7 @@ pub(super) fn drag(ui: &mut Ui, name: &str, style: &Number, value: &mut f64, wid
         .clamp_existing_to_range(false)
         .max_decimals(6)
         .suffix(style.unit);
-    ui.add_sized(vec2(width, height), drag).accessible_name(name)
+    ui.add_sized(vec2(width, height), drag)
 }
 
 fn unit_in_brackets(unit: &str) -> String {

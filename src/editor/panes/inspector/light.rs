@@ -51,11 +51,11 @@ fn at<T>(index: usize, set: impl Fn(&mut Light, T)) -> impl Fn(&mut Scene, T) {
 fn emission(ui: &mut Ui, fields: &mut Fields<'_>, index: usize, light: &Light) {
     for kind in light.shape.quantity_kinds() {
         let Some(value) = value_in(light, *kind) else { continue };
-        row_label(ui, quantity_name(*kind));
+        let name = row_label(ui, quantity_name(*kind));
         ui.horizontal(|ui| {
             let mut edited = value;
             let style = Number::amount(quantity_suffix(*kind), value);
-            let response = drag(ui, quantity_name(*kind), &style, &mut edited, 130.0);
+            let response = drag(ui, &style, &mut edited, 130.0).labelled_by(name);
             let set = at(index, |light: &mut Light, value| light.quantity = Quantity::new(*kind, value));
             fields.apply(&response, "Change emission", |scene| set(scene, edited));
             if light.shape.quantity_kinds().len() > 1 {
@@ -143,7 +143,7 @@ fn vertices(ui: &mut Ui, fields: &mut Fields<'_>, index: usize, polygon: &Polygo
                 for (axis, name) in ["X", "Y"].into_iter().enumerate() {
                     let name = format!("Vertex {} {name}", i + 1);
                     let style = Number { unit: "", ..Number::PLACE };
-                    let response = drag(ui, &name, &style, &mut edited[axis], 62.0);
+                    let response = drag(ui, &style, &mut edited[axis], 62.0).accessible_name(name);
                     let set = polygon_at(index, |polygon: &mut Polygon| polygon.vertices[i] = edited);
                     fields.apply(&response, "Move vertex", set);
                 }

@@ -1,0 +1,6 @@
+//! The editor as a user sees it: widgets are found by their labels, clicked, dragged and typed into; then the document
+//! is looked at.
+
+mod files;
+mod panes;
+mod window;

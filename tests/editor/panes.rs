@@ -1,0 +1,149 @@
+//! Outliner, inspector, plots and commands.
+
+use std::time::Duration;
+
+use egui::{Key, Modifiers, vec2};
+use softbox::editor::{Item, Tool};
+use softbox::light::{QuantityKind, Shape};
+use softbox::shading::Method;
+
+use crate::window::Window;
+
+#[test]
+fn a_click_in_the_outliner_selects_and_the_inspector_shows_it() {
+    let mut window = Window::with_scene();
+    assert!(window.has("Scene name"), "at first the scene itself is shown");
+    window.click("strip");
+    assert_eq!(window.selected(), Some((Item::Light(1), "strip".to_owned())), "selected");
+    assert!(window.has("Length") && window.has("Flux"), "a line's numbers are shown");
+}
+
+#[test]
+fn a_number_is_changed_undone_and_done_again() {
+    let mut window = Window::with_scene();
+    window.click("globe");
+    window.enter("Position X", "0.75");
+    assert!((window.scene().lights[2].position.x - 0.75).abs() < 1e-12, "{:?}", window.scene().lights[2].position);
+    window.key(Modifiers::COMMAND, Key::Z);
+    assert!((window.scene().lights[2].position.x - 1.5).abs() < 1e-12, "undone");
+    window.key(Modifiers::COMMAND.plus(Modifiers::SHIFT), Key::Z);
+    assert!((window.scene().lights[2].position.x - 0.75).abs() < 1e-12, "done again");
+}
+
+#[test]
+fn dragging_a_number_is_one_step_back() {
+    let mut window = Window::with_scene();
+    window.click("globe");
+    let start = window.get("Radius").rect().center();
+    window.drag(&[10.0, 30.0, 60.0].map(|dx| start + vec2(dx, 0.0)));
+    let Shape::Sphere(sphere) = &window.scene().lights[2].shape else { panic!("a sphere") };
+    assert!(sphere.radius > 0.2, "dragging to the right makes it larger, not {}", sphere.radius);
+    assert_eq!(window.steps_back(), ["Change radius"], "one gesture, one step");
+}
+
+#[test]
+fn a_flux_can_be_typed_where_a_luminance_was_stated() {
+    let mut window = Window::with_scene();
+    window.click("window");
+    window.enter("Flux", "5000");
+    let quantity = window.scene().lights[0].quantity;
+    assert_eq!(quantity.kind(), QuantityKind::Flux, "now stated so");
+    assert!((quantity.value() - 5000.0).abs() < 1e-9, "{}", quantity.value());
+}
+
+#[test]
+fn what_would_make_a_polygon_cross_itself_is_refused_with_the_reason() {
+    let mut window = Window::with_scene();
+    window.click("window");
+    let before = window.scene();
+    // The first corner, pulled far beyond the third, turns the rectangle into a bow tie.
+    window.enter("Vertex 1 Y", "3.0");
+    assert_eq!(window.scene(), before, "refused");
+}
+
+#[test]
+fn lights_are_muted_and_soloed_in_the_outliner() {
+    let mut window = Window::with_scene();
+    window.click("Mute globe");
+    assert!(window.scene().lights[2].muted, "muted");
+    window.click("Unmute globe");
+    assert!(!window.scene().lights[2].muted, "and not any more");
+    window.click("Solo strip");
+    let shown = window.harness.state_mut().session.shown();
+    let muted: Vec<bool> = shown.lights.iter().map(|light| light.muted).collect();
+    assert_eq!(muted, [true, false, true], "only the strip is shown");
+    assert!(window.scene().lights.iter().all(|light| !light.muted), "the document is not changed by it");
+}
+
+#[test]
+fn a_double_click_renames() {
+    let mut window = Window::with_scene();
+    window.get("globe").click();
+    window.get("globe").click();
+    window.settle();
+    window.harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
+    window.harness.event(egui::Event::Text("moon".to_owned()));
+    window.settle();
+    window.key(Modifiers::NONE, Key::Enter);
+    assert_eq!(window.scene().lights[2].name, "moon", "renamed");
+    assert_eq!(window.steps_back(), ["Rename"], "one step");
+}
+
+#[test]
+fn the_selected_light_is_duplicated_and_deleted_by_keys() {
+    let mut window = Window::with_scene();
+    window.click("strip");
+    window.key(Modifiers::COMMAND, Key::D);
+    assert_eq!(window.selected(), Some((Item::Light(3), "strip 2".to_owned())), "the copy is selected");
+    window.key(Modifiers::NONE, Key::Delete);
+    assert_eq!(window.scene().lights.len(), 3, "deleted");
+    assert_eq!(window.steps_back(), ["Delete", "Duplicate"], "two steps");
+}
+
+#[test]
+fn plain_keys_take_tools_but_not_while_text_is_typed() {
+    let mut window = Window::with_scene();
+    window.key(Modifiers::NONE, Key::P);
+    assert_eq!(window.session().tool, Tool::Polygon, "by key");
+    window.click("Move");
+    assert_eq!(window.session().tool, Tool::Move, "by button");
+    window.click("Scene name");
+    window.key(Modifiers::NONE, Key::L);
+    assert_eq!(window.session().tool, Tool::Move, "the key belongs to the text");
+}
+
+#[test]
+fn lights_are_added_from_the_menu() {
+    let mut window = Window::new();
+    for (index, kind) in ["Polygon", "Line", "Sphere", "Point", "Directional"].into_iter().enumerate() {
+        window.menu(&["Add", "Light", kind]);
+        let light = window.scene().lights.last().cloned().expect("a light");
+        assert_eq!(light.shape.name(), kind.to_lowercase(), "{kind}");
+        assert_eq!(window.selected().map(|(item, _)| item), Some(Item::Light(index)), "{kind} is selected");
+    }
+}
+
+#[test]
+fn the_method_of_the_view_is_chosen_from_the_menu() {
+    let mut window = Window::with_scene();
+    window.menu(&["View", "Shading method", "nearest-point"]);
+    assert_eq!(window.session().view.method, Method::NearestPoint, "chosen");
+}
+
+#[test]
+fn keys_are_listed_by_f1() {
+    let mut window = Window::new();
+    window.key(Modifiers::NONE, Key::F1);
+    assert!(window.says("Draw polygon") && window.says("Ctrl+Shift+Z"), "names and keys");
+    window.key(Modifiers::NONE, Key::Escape);
+    assert!(!window.says("Ctrl+Shift+Z"), "closed");
+}
+
+#[test]
+fn an_idle_window_asks_for_no_frames() {
+    let mut window = Window::with_scene();
+    window.settle();
+    window.harness.step();
+    let delay = window.harness.output().viewport_output[&egui::ViewportId::ROOT].repaint_delay;
+    assert_eq!(delay, Duration::MAX, "repaint causes: {:?}", window.harness.ctx.repaint_causes());
+}

@@ -1,0 +1,207 @@
+//! A window to act on, without a display.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use egui::accesskit::Role;
+use egui::{Key, Modifiers, PointerButton, Pos2, vec2};
+use egui_kittest::kittest::Queryable;
+use egui_kittest::{Harness, Node, SnapshotOptions};
+use softbox::editor::app::App;
+use softbox::editor::dialogs::Scripted;
+use softbox::editor::{Item, Session};
+use softbox::scene::Scene;
+
+/// The scene that most tests open: a polygon, a line and a sphere over a floor with a ball, and two plots.
+pub(crate) const SCENE: &str = include_str!("window_and_strip.toml");
+
+/// How far a snapshot may be off: pictures differ a little between versions of a driver.
+const SNAPSHOT_THRESHOLD: f32 = 1.5;
+/// Pixels of a snapshot that may be further off than that.
+const SNAPSHOT_FAILED_PIXELS: usize = 300;
+
+/// How long work off the UI thread may take.
+const PATIENCE: Duration = Duration::from_secs(60);
+
+/// The editor in a window of 1280 × 800 points.
+pub(crate) struct Window {
+    pub(crate) harness: Harness<'static, App>,
+    folder: tempfile::TempDir,
+}
+
+impl Window {
+    /// A window as it opens without a file.
+    pub(crate) fn new() -> Self {
+        Self::on(None)
+    }
+
+    /// A window on a copy of [`SCENE`].
+    pub(crate) fn with_scene() -> Self {
+        Self::on(Some(SCENE))
+    }
+
+    fn on(text: Option<&str>) -> Self {
+        let folder = tempfile::tempdir().expect("a folder for the test");
+        let path = folder.path().join("scene.toml");
+        if let Some(text) = text {
+            std::fs::write(&path, text).expect("the scene is written");
+        }
+        let open = text.map(|_| path);
+        let harness = Harness::builder()
+            .with_size(vec2(1280.0, 800.0))
+            .with_max_steps(256)
+            .with_step_dt(1.0 / 30.0)
+            .with_options(options())
+            .wgpu()
+            .build_eframe(|cc| App::new(cc, open.as_deref(), Box::new(Scripted::default())));
+        let mut window = Self { harness, folder };
+        window.settle();
+        window
+    }
+
+    /// A path in the test's own folder.
+    pub(crate) fn path(&self, name: &str) -> PathBuf {
+        self.folder.path().join(name)
+    }
+
+    /// What the next file dialogs are answered.
+    pub(crate) fn choose(&mut self, path: Option<&Path>) {
+        let answers = [path.map(Path::to_owned)].into();
+        self.harness.state_mut().dialogs = Box::new(Scripted { answers });
+    }
+
+    /// Let the window run until nothing moves any more.
+    #[track_caller]
+    pub(crate) fn settle(&mut self) {
+        let start = Instant::now();
+        loop {
+            self.harness.run();
+            if !self.harness.state().is_busy() {
+                return;
+            }
+            assert!(start.elapsed() < PATIENCE, "the window is still busy");
+            std::thread::sleep(Duration::from_millis(5));
+        }
+    }
+
+    pub(crate) fn session(&self) -> &Session {
+        &self.harness.state().session
+    }
+
+    pub(crate) fn scene(&self) -> Arc<Scene> {
+        Arc::clone(self.session().scene())
+    }
+
+    /// The labels of what can be undone, by undoing it all.
+    pub(crate) fn steps_back(&mut self) -> Vec<String> {
+        let mut labels = Vec::new();
+        while let Some(label) = self.session().history.undo_label() {
+            labels.push(label.to_owned());
+            self.key(Modifiers::COMMAND, Key::Z);
+        }
+        labels
+    }
+
+    #[track_caller]
+    pub(crate) fn get<'a>(&'a self, label: &'a str) -> Node<'a> {
+        self.harness.get_by_label(label)
+    }
+
+    pub(crate) fn has(&self, label: &str) -> bool {
+        self.harness.query_by_label(label).is_some()
+    }
+
+    /// Whether there is at least one such label.
+    pub(crate) fn has_any(&self, label: &str) -> bool {
+        self.harness.query_all_by_label(label).next().is_some()
+    }
+
+    /// Whether any label contains `text`.
+    pub(crate) fn says(&self, text: &str) -> bool {
+        self.harness.query_all_by_label_contains(text).next().is_some()
+    }
+
+    /// Click the widget of that label.
+    #[track_caller]
+    pub(crate) fn click(&mut self, label: &str) {
+        self.get(label).click();
+        self.settle();
+    }
+
+    /// Click the button of that label, where a tab or a row has the same.
+    #[track_caller]
+    pub(crate) fn click_role(&mut self, role: Role, label: &str) {
+        self.harness.get_by_role_and_label(role, label).click();
+        self.settle();
+    }
+
+    /// Open a menu, and choose from it and its submenus.
+    #[track_caller]
+    pub(crate) fn menu(&mut self, path: &[&str]) {
+        for (depth, label) in path.iter().enumerate() {
+            // The menu bar comes first of all, and menus last, as they lie on top; submenus have an arrow in their label.
+            let all = || self.harness.query_all_by_label(label);
+            let exact = if depth == 0 { all().next() } else { all().last() };
+            let node = exact.or_else(|| self.harness.query_all_by_label_contains(label).last());
+            node.unwrap_or_else(|| panic!("the menu has no {label}")).click();
+            self.settle();
+        }
+    }
+
+    /// Press a key.
+    pub(crate) fn key(&mut self, modifiers: Modifiers, key: Key) {
+        self.harness.key_press_modifiers(modifiers, key);
+        self.settle();
+    }
+
+    /// Type a number into the field of that label, and press Enter.
+    #[track_caller]
+    pub(crate) fn enter(&mut self, label: &str, text: &str) {
+        self.click(label);
+        self.harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
+        self.harness.event(egui::Event::Text(text.to_owned()));
+        self.settle();
+        self.key(Modifiers::NONE, Key::Enter);
+    }
+
+    /// Drag with the primary button through `points`, one frame each.
+    pub(crate) fn drag(&mut self, points: &[Pos2]) {
+        let (Some(first), Some(last)) = (points.first(), points.last()) else { return };
+        self.harness.hover_at(*first);
+        self.harness.step();
+        self.button(*first, true);
+        for point in points {
+            self.harness.hover_at(*point);
+            self.harness.step();
+        }
+        self.button(*last, false);
+        self.settle();
+    }
+
+    fn button(&mut self, pos: Pos2, pressed: bool) {
+        let modifiers = Modifiers::NONE;
+        self.harness.event(egui::Event::PointerButton { pos, button: PointerButton::Primary, pressed, modifiers });
+        self.harness.step();
+    }
+
+    /// The item that is selected, by name.
+    pub(crate) fn selected(&self) -> Option<(Item, String)> {
+        let item = self.session().selection.primary()?;
+        Some((item, item.name(self.session().scene())?.to_owned()))
+    }
+
+    /// Compare the window with a stored picture.
+    pub(crate) fn snapshot(&mut self, name: &str) {
+        self.harness.remove_cursor();
+        self.settle();
+        self.harness.snapshot(name);
+    }
+}
+
+fn options() -> SnapshotOptions {
+    SnapshotOptions::new()
+        .threshold(SNAPSHOT_THRESHOLD)
+        .max_failed_pixels(SNAPSHOT_FAILED_PIXELS)
+        .output_path("tests/snapshots")
+}
