@@ -5,7 +5,9 @@ use std::f64::consts::PI;
 use glam::DVec3;
 
 use super::shader::{Module, Source};
-use super::types::{ClusterLight, DirectionalLight, LineLight, Lobe, PointLight, f32_of, u32_of, vec3_of, vec4_of};
+use super::types::{
+    ClusterLight, DirectionalLight, LineLight, Lobe, PointLight, SphereLight, f32_of, u32_of, vec3_of, vec4_of,
+};
 use crate::light::{Emitter, LineEmitter, PolygonEmitter, SphereEmitter};
 use crate::shading::cluster::{self, PointOfArea};
 use crate::shading::{Method, PhongLobe};
@@ -30,6 +32,12 @@ impl Responder {
     const LINE_CHEBYSHEV: Self = Self { modules: &[Module::POINT, Module::LINE], function: "line_respond_chebyshev" };
     const LINE_NEAREST_POINT: Self =
         Self { modules: &[Module::POINT, Module::LINE], function: "line_respond_nearest_point" };
+    const SPHERE_EXACT: Self = Self { modules: &[Module::POINT, Module::SPHERE], function: "sphere_respond_exact" };
+    const SPHERE_HERMITE_1: Self =
+        Self { modules: &[Module::POINT, Module::SPHERE], function: "sphere_respond_hermite_1" };
+    const SPHERE_HERMITE_2: Self =
+        Self { modules: &[Module::POINT, Module::SPHERE], function: "sphere_respond_hermite_2" };
+    const SPHERE_CLUSTER: Self = Self { modules: &[Module::POINT, Module::SPHERE], function: "sphere_respond_cluster" };
     const CLUSTER: Self = Self { modules: &[Module::POINT, Module::CLUSTER], function: "cluster_respond" };
 
     /// Every one.
@@ -41,6 +49,10 @@ impl Responder {
         Self::LINE_EXACT,
         Self::LINE_CHEBYSHEV,
         Self::LINE_NEAREST_POINT,
+        Self::SPHERE_EXACT,
+        Self::SPHERE_HERMITE_1,
+        Self::SPHERE_HERMITE_2,
+        Self::SPHERE_CLUSTER,
     ];
 
     /// The whole shader of a layer.
@@ -111,7 +123,19 @@ impl LightData {
         Self::cluster(points, ClusterLight { falloff: f32_of(light.falloff), ..Default::default() })
     }
 
-    fn sphere(light: &SphereEmitter, _method: Method, eye: DVec3) -> Self {
+    fn sphere(light: &SphereEmitter, method: Method, eye: DVec3) -> Self {
+        let (responder, count) = match method {
+            Method::Point | Method::PointCluster(0 | 1) => return Self::sphere_point(light, eye),
+            Method::PointCluster(count) => (Responder::SPHERE_CLUSTER, count),
+            Method::Hermite1 => (Responder::SPHERE_HERMITE_1, 0),
+            Method::Hermite2 => (Responder::SPHERE_HERMITE_2, 0),
+            _ => (Responder::SPHERE_EXACT, 0),
+        };
+        let (center, radius) = (vec3_of(light.center - eye), f32_of(light.radius));
+        Self::without_vertices(responder, &SphereLight { center, radius, count, ..Default::default() })
+    }
+
+    fn sphere_point(light: &SphereEmitter, eye: DVec3) -> Self {
         let intensity = PI * light.radius * light.radius;
         let points = vec![vec4_of(light.center - eye, intensity)];
         Self::cluster(points, ClusterLight { falloff: 2.0, ..Default::default() })

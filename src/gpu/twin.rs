@@ -48,6 +48,19 @@ functions! {
     /// Row: ends, normal, mirror direction, exponent, falloff.
     LINE_NEAREST_POINT = "line_nearest_point" in &[Module::POINT, Module::LINE],
         "(v(0), v(3), v(6), v(9), f(12), f(13))";
+    /// Row: vector to the centre, radius, normal.
+    SPHERE_IRRADIANCE = "sphere_irradiance" in &[Module::POINT, Module::SPHERE], "(v(0), f(3), v(4))";
+    /// Row: vector to the centre, radius, normal.
+    SPHERE_IRRADIANCE_HERMITE_1 = "sphere_irradiance_hermite_1" in &[Module::POINT, Module::SPHERE],
+        "(v(0), f(3), v(4))";
+    /// Row: vector to the centre, radius, normal.
+    SPHERE_IRRADIANCE_HERMITE_2 = "sphere_irradiance_hermite_2" in &[Module::POINT, Module::SPHERE],
+        "(v(0), f(3), v(4))";
+    /// Row: vector to the centre, radius, normal, mirror direction, exponent.
+    SPHERE_PHONG = "sphere_phong" in &[Module::POINT, Module::SPHERE], "(v(0), f(3), v(4), v(7), f(10))";
+    /// Row: vector to the centre, radius, number of directions, normal, mirror direction, exponent.
+    SPHERE_CLUSTER = "sphere_cluster" in &[Module::POINT, Module::SPHERE],
+        "(v(0), f(3), u32(f(4)), v(5), v(8), f(11)).specular";
     /// Row: y, x. Its twin is `f64::atan2`.
     ARCTANGENT = "arctangent" in &[], "(f(0), f(1))";
 }

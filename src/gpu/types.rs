@@ -93,6 +93,8 @@ gpu_structs! {
     SphereLight {
         center: Vec3,
         radius: f32,
+        count: u32,
+        pad: [u32; 3],
     }
 
     /// Point lights that stand for a light.

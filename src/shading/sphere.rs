@@ -25,6 +25,16 @@ pub fn respond(light: &SphereEmitter, method: Method, at: &ShadingPoint, lobe: &
     Response { irradiance, specular: cap_phong(&cap, at.n, at.mirror(), lobe.exponent()) }
 }
 
+/// Irradiance at `p` on a surface of normal `n` from a sphere of luminance 1: [`cap_irradiance`] of its cap.
+pub fn sphere_irradiance(light: &SphereEmitter, p: DVec3, n: DVec3) -> f64 {
+    cap_irradiance(&Cap::of_sphere(light, p, n), n)
+}
+
+/// (m+1)/(2π) ∫ (r·ω)ᵐ dω over a sphere where r·ω > 0 and n·ω > 0: [`cap_phong`] of its cap.
+pub fn sphere_phong(light: &SphereEmitter, p: DVec3, n: DVec3, r: DVec3, m: f64) -> f64 {
+    cap_phong(&Cap::of_sphere(light, p, n), n, r, m)
+}
+
 /// The sphere as one point light at its centre, I = πr²·L.
 pub fn sphere_point(light: &SphereEmitter, at: &ShadingPoint, lobe: &PhongLobe) -> Response {
     point_response(light.center - at.p, PI * light.radius * light.radius, at, lobe)
@@ -167,6 +177,10 @@ pub fn cap_phong_lobe_only(cap: &Cap, r: DVec3, m: f64) -> f64 {
     Boundary::new(cap, r, m).integral(None)
 }
 
+/// A cap this much of whose σ's sine is above the horizon counts as wholly above: circle and horizon, if both are great
+/// circles within 5e-8 of each other, have no crossings that could be found.
+const WHOLE: f64 = 1.0 - 1e-15;
+
 /// Widest panel of 24 nodes, in radians: the integrands' poles are at least ln 2 from the real line, for a remainder of 1e-16.
 const PANEL: f64 = 1.6;
 
@@ -232,18 +246,26 @@ impl Boundary {
             return 0.0;
         }
         let boundary = match n.map(|n| DVec3::new(n.dot(self.x_axis), n.dot(self.y_axis), n.dot(self.r))) {
-            None => 2.0 * self.circle_piece(0.0, self.highest_phi()) + self.lobe_horizon(None),
+            None => self.whole(),
             Some(n) => {
                 let elevation = n.x * self.sin_omega + n.z * self.cos_omega;
                 let opposite = n.x == 0.0 && n.y == 0.0 && n.z < 0.0;
                 if elevation <= -self.sin_sigma || opposite {
                     return 0.0;
                 }
-                let horizon = if elevation < self.sin_sigma { self.horizon(n, elevation) } else { 0.0 };
-                self.circle(n, elevation) + horizon + self.lobe_horizon(Some(n))
+                if elevation >= self.sin_sigma * WHOLE {
+                    self.whole()
+                } else {
+                    self.circle(n, elevation) + self.horizon(n, elevation) + self.lobe_horizon(Some(n))
+                }
             }
         };
         (boundary / TAU).max(0.0)
+    }
+
+    /// The boundary where n's horizon cuts nothing off.
+    fn whole(&self) -> f64 {
+        2.0 * self.circle_piece(0.0, self.highest_phi()) + self.lobe_horizon(None)
     }
 
     /// c.
@@ -274,9 +296,6 @@ impl Boundary {
     fn circle(&self, n: DVec3, elevation: f64) -> f64 {
         let end = self.highest_phi();
         let half = cut_half_angle(self.sin_sigma, self.cos_sigma, elevation);
-        if half >= PI {
-            return 2.0 * self.circle_piece(0.0, end);
-        }
         // n's tangential components at the cap's centre: towards r, and along the circle's direction there.
         let toward_r = n.z * self.sin_omega - n.x * self.cos_omega;
         let middle = n.y.atan2(toward_r);

@@ -3,5 +3,6 @@
 mod cases;
 mod line;
 mod polygon;
+mod random;
 mod reference;
 mod sphere;

@@ -5,12 +5,14 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use glam::DVec3;
 use softbox::light::SphereEmitter;
 use softbox::math::angle::angle_between;
-use softbox::math::special::refined_panels;
+use softbox::math::special::{cosine_power_integral, refined_panels};
 use softbox::shading::sphere::{
     Cap, cap_irradiance, cap_irradiance_hermite_1, cap_irradiance_hermite_2, cap_phong, cap_phong_lobe_only,
+    sphere_phong,
 };
 
-use super::cases::{Case, Random, Worst, load};
+use super::cases::{Case, Worst, load};
+use super::random::Random;
 
 fn sphere_cap(case: &Case) -> Cap {
     let light = SphereEmitter { center: case.vector("center"), radius: case.number("radius") };
@@ -121,6 +123,19 @@ fn light_all_around_gives_the_whole_lobe() {
         let cap = Cap::of_sphere(&light, p, DVec3::X);
         assert!((cap_irradiance(&cap, DVec3::X) - PI).abs() < 1e-14, "irradiance inside at {p}");
         assert!((cap_phong(&cap, DVec3::X, DVec3::X, 12.5) - 1.0).abs() < 1e-14, "specular inside at {p}");
+    }
+    // Whatever the lobe, all of it that is above the surface: a hemisphere of light, [SNYDER_1996] eq. 14.
+    let mut random = Random::new(5);
+    for _ in 0..500 {
+        let (n, r, m) = (random.direction(), random.direction(), random.magnitude(1.0, 1000.0).floor());
+        let omega = angle_between(n, r);
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a whole number")]
+        let tail = |omega: f64| {
+            cosine_power_integral(m as u32, FRAC_PI_2 - omega) / cosine_power_integral(m as u32, FRAC_PI_2)
+        };
+        let expected = 0.5 + 0.5 * tail(omega);
+        let x = sphere_phong(&light, DVec3::ZERO, n, r, m);
+        assert!((x - expected).abs() <= 1e-13, "inside: {x} for {expected} at {n} {r} {m}");
     }
 }
 

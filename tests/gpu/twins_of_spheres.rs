@@ -1,0 +1,127 @@
+//! The WGSL of spherical lights against `shading::sphere`.
+
+use std::f64::consts::{PI, TAU};
+
+use glam::DVec3;
+use softbox::gpu::twin::{self, Row, rounded, rounded_number};
+use softbox::light::SphereEmitter;
+use softbox::shading::cluster::sphere_cluster;
+use softbox::shading::sphere::{
+    Cap, cap_irradiance_hermite_1, cap_irradiance_hermite_2, sphere_irradiance, sphere_phong,
+};
+use softbox::shading::{PhongLobe, ShadingPoint};
+
+use crate::cases;
+use crate::twins::{Case, Random, check};
+
+/// A sphere about p, and what looks at it; rounded to f32.
+struct Inputs {
+    light: SphereEmitter,
+    n: DVec3,
+    r: DVec3,
+    m: f64,
+}
+
+impl Inputs {
+    fn of_reference(case: &cases::Case, axis: &str, m: f64) -> Self {
+        let light = SphereEmitter {
+            center: rounded(case.vector("center") - case.vector("p")),
+            radius: rounded_number(case.number("radius")),
+        };
+        let axis = rounded(case.direction(axis));
+        Self { light, n: axis, r: axis, m: rounded_number(m) }
+    }
+
+    /// Near and far, large and small, about p too.
+    fn random(random: &mut Random) -> Self {
+        let center = rounded(random.point(3.0));
+        let light = SphereEmitter { center, radius: random.magnitude(1e-3, 5.0) };
+        let inputs = Self { light, n: random.direction(), r: random.direction(), m: random.exponent() };
+        if inputs.is_plain() { inputs } else { Self::random(random) }
+    }
+
+    /// p is in or out of the sphere as far as f32 knows; there is a step.
+    fn is_plain(&self) -> bool {
+        (self.light.center.length() / self.light.radius - 1.0).abs() > 1e-6
+    }
+
+    fn cap(&self) -> Cap {
+        Cap::of_sphere(&self.light, DVec3::ZERO, self.n())
+    }
+
+    /// As the shader sees it: of length 1.
+    fn n(&self) -> DVec3 {
+        self.n.normalize()
+    }
+
+    fn r(&self) -> DVec3 {
+        self.r.normalize()
+    }
+
+    fn row(&self) -> Row {
+        Row::default().vector(self.light.center).number(self.light.radius)
+    }
+
+    fn irradiance(&self, expected: f64) -> Case {
+        Case { row: self.row().vector(self.n), expected, scale: self.cap().solid_angle().min(PI) }
+    }
+
+    fn phong_scale(&self) -> f64 {
+        ((self.m + 1.0) / TAU * self.cap().solid_angle()).min(1.0)
+    }
+
+    fn phong(&self) -> Case {
+        let expected = sphere_phong(&self.light, DVec3::ZERO, self.n(), self.r(), self.m);
+        let row = self.row().vector(self.n).vector(self.r).number(self.m);
+        Case { row, expected, scale: self.phong_scale() }
+    }
+
+    fn cluster(&self, count: u32) -> Case {
+        let (n, r) = (self.n(), self.r());
+        let at = ShadingPoint { p: DVec3::ZERO, n, v: 2.0 * n.dot(r) * n - r };
+        let expected = sphere_cluster(&self.light, count, &at, &PhongLobe::new(self.m)).specular;
+        let row = self.row().number(count.into()).vector(self.n).vector(self.r).number(self.m);
+        Case { row, expected, scale: self.phong_scale() }
+    }
+}
+
+fn irradiance_inputs(seed: u64) -> Vec<Inputs> {
+    let mut random = Random(seed);
+    let reference = cases::load("sphere_lambert");
+    let reference = reference.iter().map(|case| Inputs::of_reference(case, "N", 1.0));
+    reference.chain((0..4000).map(|_| Inputs::random(&mut random))).collect()
+}
+
+#[test]
+fn irradiance_of_a_sphere_matches() {
+    let exact = |inputs: &Inputs| inputs.irradiance(sphere_irradiance(&inputs.light, DVec3::ZERO, inputs.n()));
+    let cases: Vec<_> = irradiance_inputs(21).iter().map(exact).collect();
+    check(&twin::SPHERE_IRRADIANCE, ("square * beta", "square * beta * 1.001"), &cases);
+}
+
+#[test]
+fn hermite_fits_match() {
+    let one = |inputs: &Inputs| inputs.irradiance(cap_irradiance_hermite_1(&inputs.cap(), inputs.n()));
+    let cases: Vec<_> = irradiance_inputs(22).iter().map(one).collect();
+    check(&twin::SPHERE_IRRADIANCE_HERMITE_1, ("3.0 * rise", "3.01 * rise"), &cases);
+    let two = |inputs: &Inputs| inputs.irradiance(cap_irradiance_hermite_2(&inputs.cap(), inputs.n()));
+    let cases: Vec<_> = irradiance_inputs(23).iter().map(two).collect();
+    check(&twin::SPHERE_IRRADIANCE_HERMITE_2, ("3.0 * rise", "3.01 * rise"), &cases);
+}
+
+#[test]
+fn phong_integral_of_a_sphere_matches() {
+    let mut random = Random(24);
+    let reference = cases::load("sphere_phong");
+    let reference = reference.iter().map(|case| Inputs::of_reference(case, "R", case.number("n")));
+    let inputs = reference.chain((0..4000).map(|_| Inputs::random(&mut random)));
+    let cases: Vec<_> = inputs.map(|inputs| inputs.phong()).collect();
+    check(&twin::SPHERE_PHONG, ("0.5 * b.power", "0.501 * b.power"), &cases);
+}
+
+#[test]
+fn cluster_of_a_sphere_matches() {
+    let mut random = Random(25);
+    let cases: Vec<_> = (0..2000).map(|i| Inputs::random(&mut random).cluster(2 + i % 64)).collect();
+    check(&twin::SPHERE_CLUSTER, ("f32(i) + 0.5", "f32(i) + 0.51"), &cases);
+}
