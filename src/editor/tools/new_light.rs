@@ -1,6 +1,6 @@
 //! Lights as the drawing tools make them, called after their shapes.
 
-use glam::{DVec2, DVec3};
+use glam::{DAffine3, DVec2, DVec3};
 
 use crate::light::{Light, Line, LineEmission, Polygon, Quantity, QuantityKind, Shape, Sphere, Tint};
 
@@ -14,7 +14,7 @@ const LEAST_SIZE: f64 = 1e-3;
 /// A polygon at `height` that lights what is below, its origin at its centre of area.
 pub fn polygon(vertices: &[DVec2], height: f64) -> Light {
     let center = centroid(vertices);
-    let local = vertices.iter().map(|v| tidy(*v - center)).collect();
+    let local = vertices.iter().map(|v| rounded(*v - center, 1e6)).collect();
     let shape = Shape::Polygon(Polygon { vertices: local, two_sided: false });
     light(center.extend(height), DVec3::ZERO, Quantity::new(QuantityKind::Luminance, LUMINANCE), shape)
 }
@@ -56,16 +56,15 @@ fn light(position: DVec3, rotation_deg: DVec3, quantity: Quantity, shape: Shape)
     Light { name, position, rotation_deg, tint: Tint::default(), quantity, muted: false, shape }
 }
 
-/// Centre of area of a simple polygon; to a millionth of a metre, so that files stay readable.
+/// Centre of area of a simple polygon, to a millimetre, so that files stay readable.
 fn centroid(vertices: &[DVec2]) -> DVec2 {
-    let corners: Vec<DVec2> = vertices.to_vec();
-    let emitter = Polygon { vertices: corners, two_sided: false }.place(&glam::DAffine3::IDENTITY);
-    tidy(emitter.centroid().truncate())
+    let polygon = Polygon { vertices: vertices.to_vec(), two_sided: false };
+    rounded(polygon.place(&DAffine3::IDENTITY).centroid().truncate(), 1e3)
 }
 
-/// Rounded to a micrometre.
-fn tidy(p: DVec2) -> DVec2 {
-    (p * 1e6).round() / 1e6
+/// Rounded to one part in `per_metre` of a metre; zeros are positive.
+fn rounded(p: DVec2, per_metre: f64) -> DVec2 {
+    (p * per_metre).round() / per_metre + DVec2::ZERO
 }
 
 #[cfg(test)]
@@ -86,6 +85,14 @@ mod tests {
             let found = emitter.vertices.iter().any(|v| v.distance(corner.extend(2.5)) < 1e-12);
             assert!(found, "{corner} in {:?}", emitter.vertices);
         }
+    }
+
+    #[test]
+    fn a_polygon_about_the_axes_has_no_negative_zeros_in_its_file() {
+        let corners = [dvec2(-0.5, -0.3), dvec2(0.5, -0.3), dvec2(0.4, 0.2), dvec2(-0.4, 0.2)];
+        let position = polygon(&corners, 2.0).position;
+        assert!(position.x == 0.0 && position.x.is_sign_positive(), "{position}");
+        assert_eq!(position.y, rounded(position.truncate(), 1e3).y, "whole millimetres");
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! The viewport's own controls: method, exposure, and what is painted over the picture.
 
-use egui::{Color32, Frame, Margin, Rect, Ui, UiBuilder, vec2};
+use egui::{Frame, Margin, Rect, Ui, UiBuilder, vec2};
 
 use super::Overlays;
 use crate::editor::session::Session;
@@ -13,16 +13,17 @@ const EXPOSURE: std::ops::RangeInclusive<f64> = -8.0..=8.0;
 /// Show the controls in the upper left corner of `rect`.
 pub fn show(ui: &mut Ui, rect: Rect, session: &mut Session, overlays: &mut Overlays) {
     let corner = Rect::from_min_max(rect.min + vec2(8.0, 8.0), rect.max);
-    let builder = UiBuilder::new().max_rect(corner).layout(egui::Layout::left_to_right(egui::Align::Min));
-    ui.scope_builder(builder, |ui| {
+    ui.scope_builder(UiBuilder::new().max_rect(corner), |ui| {
         let fill = ui.visuals().panel_fill.gamma_multiply(0.85);
-        let frame = Frame::NONE.fill(fill).corner_radius(4.0).inner_margin(Margin::symmetric(6, 3));
+        let frame = Frame::NONE.fill(fill).corner_radius(4.0).inner_margin(Margin::symmetric(8, 4));
         frame.show(ui, |ui| {
-            method(ui, session);
-            ui.separator();
-            exposure(ui, session);
-            ui.separator();
-            toggles(ui, session, overlays);
+            ui.horizontal(|ui| {
+                method(ui, session);
+                ui.add_space(8.0);
+                exposure(ui, session);
+                ui.add_space(8.0);
+                toggles(ui, session, overlays);
+            });
         });
     });
 }
@@ -69,8 +70,7 @@ fn exposure(ui: &mut Ui, session: &mut Session) {
 }
 
 fn toggles(ui: &mut Ui, session: &mut Session, overlays: &mut Overlays) {
-    let button = egui::Button::new("Show").fill(Color32::TRANSPARENT);
-    let (response, _) = egui::containers::menu::MenuButton::from_button(button)
+    let (response, _) = egui::containers::menu::MenuButton::new("Show")
         .config(egui::containers::menu::MenuConfig::new().close_behavior(egui::PopupCloseBehavior::CloseOnClickOutside))
         .ui(ui, |ui| {
             ui.checkbox(&mut session.view.show_emitters, "Emitters");

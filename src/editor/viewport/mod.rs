@@ -27,7 +27,6 @@ use self::projection::Projection;
 use super::session::{Framing, Item, Session};
 use super::theme;
 use crate::gpu::{Stats, View};
-use crate::light::Shape;
 
 /// What is painted over the picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -156,13 +155,13 @@ impl Viewport {
         }
         self.paint_selected_surfaces(session, accent, projection, &painter);
         if let Some(plot) = scene.plots.get(session.plots.active).filter(|_| self.overlays.probe) {
-            let named = session.selection.contains(Item::Plot(session.plots.active)) || self.pointer.holds_probe();
-            overlay::paint_probe(plot, named, accent, projection, &painter);
+            let chosen = session.selection.contains(Item::Plot(session.plots.active)) || self.pointer.holds_probe();
+            overlay::paint_probe(plot, chosen, accent, projection, &painter);
         }
         self.pointer.paint(session, accent, projection, &painter);
         if self.overlays.gnomon {
             overlay::paint_gnomon(projection, projection.rect().left_bottom() + vec2(46.0, -46.0), &painter);
-            paint_camera_info(session, projection, &painter);
+            paint_camera_info(projection, &painter);
         }
     }
 
@@ -183,16 +182,9 @@ impl Viewport {
 }
 
 /// Field of view and distance to what is looked at, in the lower right corner.
-fn paint_camera_info(session: &Session, projection: &Projection, painter: &egui::Painter) {
-    let camera = &session.view.camera;
-    let lit = session.scene().lights.iter().filter(|light| !light.muted);
-    let area = lit.filter(|light| !matches!(light.shape, Shape::Point(_) | Shape::Directional(_))).count();
-    let text = format!(
-        "{}°  {}  ·  {area} area light{}",
-        camera.fov_deg.round(),
-        overlay::length_text(camera.eye.distance(camera.target)),
-        if area == 1 { "" } else { "s" },
-    );
+fn paint_camera_info(projection: &Projection, painter: &egui::Painter) {
+    let camera = projection.camera();
+    let text = format!("{}°  ·  {}", camera.fov_deg.round(), overlay::length_text(camera.eye.distance(camera.target)));
     let at = projection.rect().right_bottom() - vec2(10.0, 8.0);
     overlay::label(&text, at, Align2::RIGHT_BOTTOM, Color32::from_gray(0xc8), painter);
 }

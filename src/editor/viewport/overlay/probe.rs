@@ -9,11 +9,15 @@ use crate::scene::Plot;
 /// Length of the normal's arrow, points.
 const NORMAL: f64 = 40.0;
 
-/// Draw where a plot's probe is and its normal; its name when it is held or selected.
-pub fn paint_probe(plot: &Plot, named: bool, accent: Color32, projection: &Projection, painter: &Painter) {
+/// Colour of a probe that is not selected.
+const COLOR: Color32 = Color32::from_rgb(0x5f, 0xd3, 0xc6);
+
+/// Draw where a plot's probe is and its normal; when it is held or selected in `accent` and with its name.
+pub fn paint_probe(plot: &Plot, chosen: bool, accent: Color32, projection: &Projection, painter: &Painter) {
     let Some(at) = projection.project(plot.position) else { return };
+    let color = if chosen { accent } else { COLOR };
     let normal = plot.normal.normalize_or(glam::DVec3::Z);
-    let stroke = Stroke::new(1.75, accent);
+    let stroke = Stroke::new(1.75, color);
     if let Some(tip) = projection.project(plot.position + NORMAL * projection.metres_per_point(plot.position) * normal)
         && tip.distance(at) > 6.0
     {
@@ -21,11 +25,11 @@ pub fn paint_probe(plot: &Plot, named: bool, accent: Color32, projection: &Proje
         let across = 3.5 * along.rot90();
         painter.line_segment([at, tip - 6.0 * along], stroke);
         let head = vec![tip, tip - 9.0 * along + across, tip - 9.0 * along - across];
-        painter.add(egui::Shape::convex_polygon(head, accent, Stroke::NONE));
+        painter.add(egui::Shape::convex_polygon(head, color, Stroke::NONE));
     }
     painter.circle(at, 5.0, Color32::from_black_alpha(140), stroke);
-    painter.circle_filled(at, 1.75, accent);
-    if named {
-        label(&plot.name, at + vec2(10.0, 8.0), Align2::LEFT_TOP, accent, painter);
+    painter.circle_filled(at, 1.75, color);
+    if chosen {
+        label(&plot.name, at + vec2(10.0, 8.0), Align2::LEFT_TOP, color, painter);
     }
 }
