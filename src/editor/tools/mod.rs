@@ -36,9 +36,9 @@ pub enum Outcome {
 }
 
 /// Why an edge is refused.
-const CROSSING: &str = "edges may not cross";
+const CROSSING: &str = "Edges may not cross";
 /// Why a polygon is not closed.
-const NOT_CLOSED: &str = "a polygon needs three corners and edges that do not cross";
+const NOT_CLOSED: &str = "A polygon needs three corners and edges that do not cross";
 
 impl Draft {
     /// Whether anything has been drawn.
@@ -62,7 +62,7 @@ impl Draft {
             }
             (Tool::Line, Self::Line(start)) => match new_light::line([*start, p], height) {
                 Some(light) => self.done(light),
-                None => Outcome::Refused("a line needs a length"),
+                None => Outcome::Refused("A line needs a length"),
             },
             (Tool::Line, _) => {
                 *self = Self::Line(p);
@@ -86,7 +86,7 @@ impl Draft {
             Some(light) => self.done(light),
             None => {
                 self.cancel();
-                Outcome::Refused("drag to give the sphere a radius")
+                Outcome::Refused("Drag to give the sphere a radius")
             }
         }
     }

@@ -32,6 +32,8 @@ pub struct Pointer {
     navigating: bool,
     /// The press that is still down has done its work: its release is not a click.
     spent: bool,
+    /// Why the last click was refused.
+    refusal: Option<&'static str>,
     /// The tool seen last, to drop what another tool has begun.
     tool: Tool,
 }
@@ -64,6 +66,7 @@ impl Pointer {
     pub fn update(&mut self, ui: &Ui, response: &Response, session: &mut Session, solids: &Solids, handles: bool) {
         if self.tool != session.tool {
             self.draft.cancel();
+            self.refusal = None;
             self.tool = session.tool;
         }
         self.navigate(ui, response, session);
@@ -128,7 +131,9 @@ impl Pointer {
             .hover_pos()
             .or_else(|| response.interact_pointer_pos())
             .and_then(|pos| Some(Cursor { pos, at: point(pos)?, on_first: self.on_first(pos, &plane, projection) }));
-        session.hint = hint(session.tool, &self.draft).to_owned();
+        if press {
+            self.refusal = None;
+        }
         if response.hovered() {
             ui.ctx().set_cursor_icon(CursorIcon::Crosshair);
         }
@@ -151,9 +156,13 @@ impl Pointer {
         if response.drag_stopped_by(PointerButton::Primary) {
             outcome = self.draft.release(plane.height);
         }
+        session.hint = self.refusal.unwrap_or(hint(session.tool, &self.draft)).to_owned();
         match outcome {
             Outcome::Drawing => {}
-            Outcome::Refused(why) => why.clone_into(&mut session.hint),
+            Outcome::Refused(why) => {
+                self.refusal = Some(why);
+                ui.ctx().request_repaint();
+            }
             Outcome::Done(light) => {
                 session.add_light(*light);
                 session.tool = Tool::Move;
@@ -173,6 +182,7 @@ impl Pointer {
                 session.tool = Tool::Move;
             }
             self.draft.cancel();
+            self.refusal = None;
             self.spent = true;
         }
         if !self.draft.is_empty() && pressed(Key::Backspace) {
@@ -236,8 +246,11 @@ impl Pointer {
                     session.edit(label, |scene| subject.put(item, scene));
                 }
             }
-            Some(Change::Refused(subject)) => held.refused = Some(subject),
-            None => {}
+            Some(Change::Refused(subject)) => {
+                held.refused = Some(subject);
+                session.hint = "Edges may not cross".to_owned();
+            }
+            None => session.hint = "This is seen too flatly to be dragged there: orbit the view".to_owned(),
         }
         if !response.dragged() {
             session.commit();
@@ -289,7 +302,7 @@ impl Pointer {
         if crate::editor::tools::polygon::is_simple(&polygon.vertices) {
             session.edit(label, |scene| Subject::Light(light).put(item, scene));
         } else {
-            session.hint = "without this vertex edges would cross".to_owned();
+            session.hint = "Without this vertex edges would cross".to_owned();
         }
     }
 
