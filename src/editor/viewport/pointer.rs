@@ -156,19 +156,16 @@ impl Pointer {
         if response.drag_stopped_by(PointerButton::Primary) {
             outcome = self.draft.release(plane.height);
         }
-        session.hint = self.refusal.unwrap_or(hint(session.tool, &self.draft)).to_owned();
         match outcome {
             Outcome::Drawing => {}
-            Outcome::Refused(why) => {
-                self.refusal = Some(why);
-                ui.ctx().request_repaint();
-            }
+            Outcome::Refused(why) => self.refusal = Some(why),
             Outcome::Done(light) => {
                 session.add_light(*light);
                 session.tool = Tool::Move;
                 self.spent = true;
             }
         }
+        session.hint = self.refusal.unwrap_or(hint(session.tool, &self.draft)).to_owned();
     }
 
     /// Enter, Backspace and Esc while drawing.
