@@ -3,4 +3,5 @@
 
 mod files;
 mod panes;
+mod viewport;
 mod window;

@@ -199,7 +199,7 @@ impl Window {
     }
 }
 
-fn options() -> SnapshotOptions {
+pub fn options() -> SnapshotOptions {
     SnapshotOptions::new()
         .threshold(SNAPSHOT_THRESHOLD)
         .max_failed_pixels(SNAPSHOT_FAILED_PIXELS)
