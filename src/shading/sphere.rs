@@ -169,7 +169,8 @@ fn hermite([x_0, x_1]: [f64; 2], [f_0, slope_0]: [f64; 2], [f_1, slope_1]: [f64;
 /// **Accuracy:** 1e-15 of the smaller of 1 and (m+1)/(2π)·Ω for caps and 5e-14 for spheres, relative 1e-10 for more than
 /// a millionth of that (`closed_form::sphere`). **Twin:** `shaders/sphere.wgsl`.
 pub fn cap_phong(cap: &Cap, n: DVec3, r: DVec3, m: f64) -> f64 {
-    Boundary::new(cap, r, m).integral(Some(n))
+    let about_n = cap.cos == 0.0 && cap.center == n;
+    Boundary::new(cap, r, m).integral((!about_n).then_some(n))
 }
 
 /// [`cap_phong`] over r·ω > 0 only, the domain of [`crate::refs::SNYDER_1996`], eq. (24).
@@ -178,8 +179,8 @@ pub fn cap_phong_lobe_only(cap: &Cap, r: DVec3, m: f64) -> f64 {
 }
 
 /// A cap this much of whose σ's sine is above the horizon counts as wholly above: circle and horizon, if both are great
-/// circles within 5e-8 of each other, have no crossings that could be found.
-const WHOLE: f64 = 1.0 - 1e-15;
+/// circles within 1e-7 of each other, have no crossings that could be found.
+const WHOLE: f64 = 1.0 - 4e-15;
 
 /// Widest panel of 24 nodes, in radians: the integrands' poles are at least ln 2 from the real line, for a remainder of 1e-16.
 const PANEL: f64 = 1.6;

@@ -3,6 +3,7 @@
 mod cases;
 mod line;
 mod polygon;
+mod properties;
 mod random;
 mod reference;
 mod sphere;

@@ -1,0 +1,270 @@
+//! What must hold for every light and method, over random inputs.
+
+use std::f64::consts::{PI, TAU};
+
+use glam::{DMat3, DVec2, DVec3};
+use softbox::light::{Emitter, Line, LineEmission, LineEmitter, Polygon, Shape, Sphere, SphereEmitter};
+use softbox::math::special::refined_panels;
+use softbox::shading::cluster::polygon_points;
+use softbox::shading::line::{line_irradiance, line_phong};
+use softbox::shading::{Method, PhongLobe, Response, ShadingPoint, respond};
+
+use super::random::Random;
+
+/// A light and a point that looks at it.
+#[derive(Clone, Debug)]
+struct Scene {
+    emitter: Emitter,
+    at: ShadingPoint,
+    lobe: PhongLobe,
+}
+
+impl Scene {
+    /// A line or a sphere, near or far, with a point that sees its surface from above.
+    fn random(random: &mut Random) -> Self {
+        let place = random.point(2.0) * random.magnitude(0.1, 20.0);
+        let emitter = if random.within(0.0, 1.0) < 0.5 {
+            let half = 0.5 * random.direction() * random.magnitude(1e-2, 20.0);
+            let falloff = (random.within(0.0, 8.0).floor() / 2.0).min(3.0);
+            Emitter::Line(LineEmitter { a: place - half, b: place + half, falloff })
+        } else {
+            Emitter::Sphere(SphereEmitter { center: place, radius: random.magnitude(1e-2, 10.0) })
+        };
+        let (n, mut v) = (random.direction(), random.direction());
+        if v.dot(n) < 0.0 {
+            v -= 2.0 * v.dot(n) * n;
+        }
+        let at = ShadingPoint { p: random.point(1.0), n, v };
+        Self { emitter, at, lobe: PhongLobe::new(random.magnitude(1.0, 1000.0)) }
+    }
+
+    fn methods(&self) -> impl Iterator<Item = Method> {
+        let shape = match &self.emitter {
+            Emitter::Line(_) => Shape::Line(Line { length: 1.0, emission: LineEmission::Isotropic, falloff: 2.0 }),
+            _ => Shape::Sphere(Sphere { radius: 1.0 }),
+        };
+        Method::of(&shape).iter().copied().filter(|method| *method != Method::Reference)
+    }
+
+    fn respond(&self, method: Method) -> Response {
+        respond(&self.emitter, method, &self.at, &self.lobe)
+    }
+
+    /// What no method's irradiance may exceed, and that for its specular part.
+    fn bounds(&self) -> [f64; 2] {
+        let m = self.lobe.exponent();
+        match self.emitter {
+            Emitter::Line(LineEmitter { a, b, falloff }) => {
+                let (a, along) = (a - self.at.p, b - a);
+                let t = (-a.dot(along) / along.length_squared()).clamp(0.0, 1.0);
+                let most = along.length() / (a + t * along).length().powf(falloff);
+                [most, (m + 1.0) / TAU * most]
+            }
+            Emitter::Sphere(SphereEmitter { center, radius }) => {
+                let point = PI * radius * radius / (center - self.at.p).length_squared();
+                [point.max(PI), ((m + 1.0) / TAU * point).max((m + 1.0) * 1.01)]
+            }
+            _ => [f64::INFINITY; 2],
+        }
+    }
+}
+
+#[track_caller]
+fn same(what: &str, x: Response, y: Response, [irradiance, specular]: [f64; 2], scene: &Scene) {
+    let close = |x: f64, y: f64, scale: f64| (x - y).abs() <= 1e-9 * (x.abs() + y.abs()) + 1e-12 * scale;
+    assert!(
+        close(x.irradiance, y.irradiance, irradiance) && close(x.specular, y.specular, specular),
+        "{what}: {x:?} and {y:?} for {scene:?}"
+    );
+}
+
+#[test]
+fn responses_are_finite_and_not_negative_and_bounded() {
+    let mut random = Random::new(11);
+    for _ in 0..20_000 {
+        let scene = Scene::random(&mut random);
+        let [irradiance, specular] = scene.bounds();
+        for method in scene.methods() {
+            let x = scene.respond(method);
+            assert!((0.0..=irradiance * 1.001).contains(&x.irradiance), "{method}: {x:?} for {scene:?}");
+            assert!((0.0..=specular * 1.01).contains(&x.specular), "{method}: {x:?} for {scene:?}");
+        }
+    }
+}
+
+#[test]
+fn turning_everything_changes_nothing() {
+    let mut random = Random::new(12);
+    for _ in 0..5000 {
+        let scene = Scene::random(&mut random);
+        let turn = DMat3::from_axis_angle(random.direction(), random.within(0.0, TAU));
+        let ShadingPoint { p, n, v } = scene.at;
+        let turned = Scene {
+            emitter: match scene.emitter {
+                Emitter::Line(LineEmitter { a, b, falloff }) => {
+                    Emitter::Line(LineEmitter { a: turn * a, b: turn * b, falloff })
+                }
+                Emitter::Sphere(SphereEmitter { center, radius }) => {
+                    Emitter::Sphere(SphereEmitter { center: turn * center, radius })
+                }
+                ref other => other.clone(),
+            },
+            at: ShadingPoint { p: turn * p, n: turn * n, v: turn * v },
+            lobe: scene.lobe.clone(),
+        };
+        // A sphere's cluster lies on a spiral whose start no turn can carry along.
+        let turnable =
+            |method: &Method| !matches!((method, &scene.emitter), (Method::PointCluster(_), Emitter::Sphere(_)));
+        for method in scene.methods().filter(turnable) {
+            same("turned", scene.respond(method), turned.respond(method), scene.bounds(), &scene);
+        }
+    }
+}
+
+#[test]
+fn scaling_everything_follows_the_falloff() {
+    let mut random = Random::new(13);
+    for _ in 0..5000 {
+        let scene = Scene::random(&mut random);
+        let scale = random.magnitude(0.01, 100.0);
+        let (emitter, factor) = match scene.emitter {
+            Emitter::Line(LineEmitter { a, b, falloff }) => {
+                let line = LineEmitter { a: scale * a, b: scale * b, falloff };
+                (Emitter::Line(line), scale.powf(falloff - 1.0))
+            }
+            Emitter::Sphere(SphereEmitter { center, radius }) => {
+                (Emitter::Sphere(SphereEmitter { center: scale * center, radius: scale * radius }), 1.0)
+            }
+            ref other => (other.clone(), 1.0),
+        };
+        let at = ShadingPoint { p: scale * scene.at.p, ..scene.at };
+        let scaled = Scene { emitter, at, lobe: scene.lobe.clone() };
+        for method in scene.methods() {
+            let x = scaled.respond(method);
+            let x = Response { irradiance: x.irradiance * factor, specular: x.specular * factor };
+            same("scaled", scene.respond(method), x, scene.bounds(), &scene);
+        }
+    }
+}
+
+#[test]
+fn far_lights_are_point_lights() {
+    let mut random = Random::new(14);
+    for _ in 0..2000 {
+        let mut scene = Scene::random(&mut random);
+        let away = 1e5 * random.direction();
+        match &mut scene.emitter {
+            Emitter::Line(light) => *light = LineEmitter { a: light.a + away, b: light.b + away, ..*light },
+            Emitter::Sphere(light) => light.center += away,
+            _ => {}
+        }
+        let point = scene.respond(Method::Point);
+        let exact = scene.respond(Method::Exact);
+        // The light is 2e-4 of its distance wide at most, and its lobe changes m times as fast as that.
+        let scale = match &scene.emitter {
+            Emitter::Line(light) => light.length() / light.middle().length().powf(light.falloff),
+            Emitter::Sphere(light) => PI * (light.radius / light.center.length()).powi(2),
+            _ => 0.0,
+        };
+        let m = scene.lobe.exponent();
+        let irradiance = (exact.irradiance - point.irradiance).abs() / scale;
+        let specular = (exact.specular - point.specular).abs() / (scale * (m + 1.0) / TAU);
+        assert!(irradiance <= 2e-4 && specular <= 4e-8 * m * m + 4e-4, "{exact:?}, {point:?} for {scene:?}");
+    }
+}
+
+#[test]
+fn tilting_a_surface_makes_no_jumps() {
+    let mut random = Random::new(15);
+    const STEPS: i32 = 2000;
+    for _ in 0..60 {
+        let mut scene = Scene::random(&mut random);
+        scene.lobe = PhongLobe::new(random.magnitude(1.0, 30.0));
+        let [irradiance, _] = scene.bounds();
+        let (x, y) = (scene.at.n, scene.at.n.any_orthonormal_vector());
+        for method in [Method::Exact, Method::Hermite1, Method::Hermite2, Method::Chebyshev] {
+            let mut before: Option<f64> = None;
+            for i in 0..=STEPS {
+                let (sin, cos) = (TAU * f64::from(i) / f64::from(STEPS)).sin_cos();
+                scene.at.n = cos * x + sin * y;
+                let now = scene.respond(method).irradiance;
+                let step = before.map_or(0.0, |before| (now - before).abs());
+                // No slope is steeper than twice that of all the light at right angles.
+                let most = 2.0 * irradiance * TAU / f64::from(STEPS);
+                assert!(step <= most, "{method}: a step of {step} > {most} at {i} for {scene:?}");
+                before = Some(now);
+            }
+        }
+    }
+}
+
+#[test]
+fn degenerate_places_give_finite_numbers() {
+    let (a, b) = (DVec3::new(-1.0, 0.0, 1.0), DVec3::new(1.0, 0.0, 1.0));
+    let lines = [(a, b), (a, a), (a, a + 1e-300 * DVec3::X), (a, a + 1e12 * DVec3::X)];
+    let spheres = [1e-300, 1e-9, 1.0, 1e9];
+    let mut emitters = Vec::new();
+    for falloff in [0.0, 0.5, 1.0, 2.0, 2.5, 3.0] {
+        emitters.extend(lines.map(|(a, b)| Emitter::Line(LineEmitter { a, b, falloff })));
+    }
+    emitters.extend(spheres.map(|radius| Emitter::Sphere(SphereEmitter { center: a, radius })));
+    let offsets = [0.0, 1e-300, 1e-60, 1e-30, 1e-12, 1e-6, 1.0];
+    let directions = [DVec3::X, -DVec3::X, DVec3::Y, DVec3::Z, -DVec3::Z];
+    for emitter in &emitters {
+        for base in [a, b, a.midpoint(b), 3.0 * b - 2.0 * a, DVec3::ZERO] {
+            for (offset, n) in offsets.iter().flat_map(|offset| directions.map(|n| (offset, n))) {
+                let scene = Scene {
+                    emitter: emitter.clone(),
+                    at: ShadingPoint { p: base + *offset * DVec3::Z, n, v: n },
+                    lobe: PhongLobe::new(20.5),
+                };
+                for method in scene.methods() {
+                    let x = scene.respond(method);
+                    assert!(x.irradiance.is_finite() && x.irradiance >= 0.0, "{method}: {x:?} for {scene:?}");
+                    assert!(x.specular.is_finite() && x.specular >= 0.0, "{method}: {x:?} for {scene:?}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn real_falloffs_match_quadrature_along_the_line() {
+    let mut random = Random::new(16);
+    for _ in 0..300 {
+        let (a, b) = (random.point(2.0), random.point(2.0));
+        let (n, r, m) = (random.direction(), random.direction(), random.magnitude(1.0, 300.0));
+        let light = LineEmitter { a, b, falloff: random.within(0.0, 3.0) };
+        let length = light.length();
+        let integrate = |f: &dyn Fn(DVec3) -> f64| {
+            let g = |t: f64| {
+                let x = a.lerp(b, t);
+                f(x.normalize()) / x.length().powf(light.falloff)
+            };
+            length * refined_panels(0.0, 1.0, 0.01, 1e-13, g)
+        };
+        let irradiance = integrate(&|w| n.dot(w).max(0.0));
+        let specular = integrate(&|w| if n.dot(w) > 0.0 { r.dot(w).max(0.0).powf(m) } else { 0.0 });
+        let x = [line_irradiance(&light, DVec3::ZERO, n), line_phong(&light, DVec3::ZERO, n, r, m)];
+        let near = |x: f64, y: f64| (x - y).abs() <= 1e-8 * y + 1e-9;
+        assert!(near(x[0], irradiance) && near(x[1], specular), "{x:?} for {irradiance}, {specular} of {light:?}");
+    }
+}
+
+#[test]
+fn points_of_a_polygons_cluster_share_its_area_inside() {
+    let concave = [(0.0, 0.0), (4.0, 0.0), (4.0, 3.0), (3.0, 3.0), (3.0, 1.0), (1.0, 1.0), (1.0, 3.0), (0.0, 3.0)];
+    let polygon = Polygon { vertices: concave.map(|(x, y)| DVec2::new(x, y)).to_vec(), two_sided: false };
+    let light = polygon.place(&glam::DAffine3::IDENTITY);
+    for count in [1, 2, 7, 16, 100] {
+        let points = polygon_points(&light, count);
+        assert_eq!(points.len(), count as usize, "as many points as asked for");
+        let area: f64 = points.iter().map(|point| point.area).sum();
+        assert!((area - 8.0).abs() < 1e-12, "{count} points share {area} of 8");
+        for point in points {
+            let DVec3 { x, y, .. } = point.position;
+            let inside = (0.0..=4.0).contains(&x) && (0.0..=3.0).contains(&y) && (y <= 1.0 || x <= 1.0 || x >= 3.0);
+            assert!(inside, "{} is outside", point.position);
+        }
+    }
+}
