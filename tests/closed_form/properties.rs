@@ -268,3 +268,16 @@ fn points_of_a_polygons_cluster_share_its_area_inside() {
         }
     }
 }
+
+#[test]
+fn large_clusters_tend_to_the_exact_answer() {
+    let mut random = Random::new(17);
+    for _ in 0..200 {
+        let mut scene = Scene::random(&mut random);
+        scene.lobe = PhongLobe::new(random.magnitude(1.0, 50.0));
+        let [irradiance, specular] = scene.bounds();
+        let (x, y) = (scene.respond(Method::Exact), scene.respond(Method::PointCluster(2000)));
+        let off = [(x.irradiance - y.irradiance) / irradiance, (x.specular - y.specular) / specular];
+        assert!(off[0].abs() <= 1e-3 && off[1].abs() <= 1e-3, "{x:?}, {y:?} for {scene:?}");
+    }
+}
