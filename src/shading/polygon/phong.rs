@@ -168,7 +168,7 @@ impl Arc {
         let integral = RULE.integrate(lo, hi, |phi| {
             let sine = phi.sin();
             let off_axis = self.gamma * self.gamma + self.rho * self.rho * sine * sine;
-            if off_axis > 0.0 { -(half_power * (-off_axis).ln_1p()).exp_m1() / off_axis } else { half_power }
+            if off_axis > 0.0 { -(half_power * (-off_axis.min(1.0)).ln_1p()).exp_m1() / off_axis } else { half_power }
         });
         self.gamma * integral
     }
