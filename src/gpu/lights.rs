@@ -6,7 +6,8 @@ use glam::DVec3;
 
 use super::shader::{Module, Source};
 use super::types::{
-    ClusterLight, DirectionalLight, LineLight, Lobe, PointLight, SphereLight, f32_of, u32_of, vec3_of, vec4_of,
+    ClusterLight, DirectionalLight, LineLight, Lobe, PointLight, PolygonLight, SphereLight, f32_of, u32_of, vec3_of,
+    vec4_of,
 };
 use crate::light::{Emitter, LineEmitter, PolygonEmitter, SphereEmitter};
 use crate::shading::cluster::{self, PointOfArea};
@@ -38,6 +39,9 @@ impl Responder {
     const SPHERE_HERMITE_2: Self =
         Self { modules: &[Module::POINT, Module::SPHERE], function: "sphere_respond_hermite_2" };
     const SPHERE_CLUSTER: Self = Self { modules: &[Module::POINT, Module::SPHERE], function: "sphere_respond_cluster" };
+    const POLYGON_EXACT: Self = Self { modules: &[Module::POINT, Module::POLYGON], function: "polygon_respond_exact" };
+    const POLYGON_NEAREST_POINT: Self =
+        Self { modules: &[Module::POINT, Module::POLYGON], function: "polygon_respond_nearest_point" };
     const CLUSTER: Self = Self { modules: &[Module::POINT, Module::CLUSTER], function: "cluster_respond" };
 
     /// Every one.
@@ -53,6 +57,8 @@ impl Responder {
         Self::SPHERE_HERMITE_1,
         Self::SPHERE_HERMITE_2,
         Self::SPHERE_CLUSTER,
+        Self::POLYGON_EXACT,
+        Self::POLYGON_NEAREST_POINT,
     ];
 
     /// The whole shader of a layer.
@@ -93,10 +99,31 @@ impl LightData {
     }
 
     fn polygon(light: &PolygonEmitter, method: Method, eye: DVec3) -> Self {
-        let points = match method {
-            Method::PointCluster(points) => cluster::polygon_points(light, points),
-            _ => vec![PointOfArea { position: light.centroid(), area: light.vector_area().length() }],
+        let responder = match method {
+            Method::PointCluster(points) => {
+                return Self::polygon_cluster(light, &cluster::polygon_points(light, points), eye);
+            }
+            Method::Point => {
+                let whole = PointOfArea { position: light.centroid(), area: light.vector_area().length() };
+                return Self::polygon_cluster(light, &[whole], eye);
+            }
+            Method::NearestPoint => Responder::POLYGON_NEAREST_POINT,
+            _ => Responder::POLYGON_EXACT,
         };
+        let uniform = PolygonLight {
+            normal: vec3_of(light.normal),
+            count: u32_of(light.vertices.len()),
+            two_sided: u32::from(light.two_sided),
+            ..Default::default()
+        };
+        Self {
+            responder,
+            uniform: bytemuck::bytes_of(&uniform).to_vec(),
+            vertices: light.vertices.iter().map(|vertex| vec4_of(*vertex - eye, 0.0)).collect(),
+        }
+    }
+
+    fn polygon_cluster(light: &PolygonEmitter, points: &[PointOfArea], eye: DVec3) -> Self {
         let points = points.iter().map(|point| vec4_of(point.position - eye, point.area)).collect();
         let emission = if light.two_sided { TWO_SIDED } else { ONE_SIDED };
         Self::cluster(

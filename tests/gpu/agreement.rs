@@ -136,7 +136,21 @@ impl Seen {
 fn every_primitive_and_light_looks_the_same() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/everything.toml");
     let scene = scene::load(&path).expect("the scene loads");
-    for method in ["point-cluster", "point"] {
+    for method in ["exact", "chebyshev", "nearest-point", "hermite-1", "hermite-2", "point-cluster", "point"] {
         check("everything", &scene, method.parse().expect("a method"));
+    }
+}
+
+#[test]
+fn every_preset_scene_looks_the_same() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("presets/scenes");
+    let mut paths: Vec<_> =
+        folder.read_dir().expect("there are presets").map(|entry| entry.expect("a preset").path()).collect();
+    paths.retain(|path| path.extension().is_some_and(|extension| extension == "toml"));
+    paths.sort();
+    assert!(!paths.is_empty(), "there are preset scenes");
+    for path in paths {
+        let scene = scene::load(&path).expect("the preset loads");
+        check(&path.file_stem().expect("a name").to_string_lossy(), &scene, Method::Exact);
     }
 }

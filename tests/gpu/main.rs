@@ -8,6 +8,7 @@ mod cases;
 mod tracking;
 mod twins;
 mod twins_of_lines;
+mod twins_of_polygons;
 mod twins_of_spheres;
 
 use std::sync::LazyLock;

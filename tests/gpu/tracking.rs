@@ -144,6 +144,8 @@ fn work_follows_change() {
     bench.check_cost("the camera", Stats { g_buffers: 1, layers: 3, ..COMPOSITE });
     bench.view.size = [32, 32];
     bench.check_cost("the size", Stats { g_buffers: 1, layers: 3, ..COMPOSITE });
+    bench.view.method = Method::Point;
+    bench.check_cost("the method, which the point light does not have", Stats { layers: 2, ..COMPOSITE });
     bench.view.show_emitters = true;
     bench.check_cost("emitters", COMPOSITE);
     bench.check_cost("nothing", NOTHING);
