@@ -159,5 +159,5 @@ fn wanted(scene: &Scene, view: &View, jitter: [f32; 2]) -> (Wanted, Mix) {
 /// M. Roberts' R2 sequence, which is low-discrepancy for every number of samples: multiples of (1/φ, 1/φ²) modulo 1,
 /// φ the root of φ³ = φ + 1. Sample 0 is the centre.
 fn jitter(sample: u16) -> [f32; 2] {
-    [0.754_877_67, 0.569_840_3].map(|step: f32| (0.5 + f32::from(sample) * step).fract() - 0.5)
+    [0.754_877_7, 0.569_840_3].map(|step: f32| (0.5 + f32::from(sample) * step).fract() - 0.5)
 }

@@ -37,10 +37,10 @@ fn texture<T: bytemuck::Pod>(
     texture: &wgpu::Texture,
 ) -> Result<Vec<T>, ReadBackError> {
     let row = texture.width() as usize * size_of::<T>();
-    let padded_row = (row as u64).next_multiple_of(u64::from(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT));
+    let padded_row = row.next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT as usize);
     let buffer = device.create_buffer(&wgpu::BufferDescriptor {
         label: None,
-        size: padded_row * u64::from(texture.height()),
+        size: padded_row as u64 * u64::from(texture.height()),
         usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
         mapped_at_creation: false,
     });
@@ -54,7 +54,7 @@ fn texture<T: bytemuck::Pod>(
     );
     queue.submit([encoder.finish()]);
     let bytes = mapped(device, &buffer)?;
-    let rows = bytes.chunks_exact(padded_row as usize);
+    let rows = bytes.chunks_exact(padded_row);
     Ok(rows.flat_map(|padded| bytemuck::pod_collect_to_vec::<u8, T>(&padded[..row])).collect())
 }
 

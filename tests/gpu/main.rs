@@ -3,6 +3,7 @@
 //! These tests need an adapter, software or not, and fail without one.
 
 mod agreement;
+#[expect(dead_code, reason = "the other tests' loader; not all of it is needed here")]
 #[path = "../closed_form/cases.rs"]
 mod cases;
 mod tracking;

@@ -28,7 +28,7 @@ impl Inputs {
     fn random(random: &mut Random, falloffs: &[f64]) -> Self {
         let a = random.point(2.0) * random.magnitude(1e-2, 10.0);
         let b = a + random.direction() * random.magnitude(1e-3, 10.0);
-        let falloff = falloffs[random.bits() as usize % falloffs.len()];
+        let falloff = falloffs[usize::try_from(random.bits() % falloffs.len() as u64).expect("a short list")];
         let light = LineEmitter { a: rounded(a), b: rounded(b), falloff };
         Self { light, n: random.direction(), r: random.direction(), m: random.exponent() }
     }
