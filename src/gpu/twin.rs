@@ -48,6 +48,15 @@ functions! {
     /// Row: ends, normal, mirror direction, exponent, falloff.
     LINE_NEAREST_POINT = "line_nearest_point" in &[Module::POINT, Module::LINE],
         "(v(0), v(3), v(6), v(9), f(12), f(13))";
+    /// Row: p, normal; and the corners.
+    POLYGON_IRRADIANCE = "polygon_irradiance" in &[Module::POLYGON],
+        "(Corners(row.first_vertex, row.vertex_count, v(0)), v(3))";
+    /// Row: p, normal, mirror direction, exponent; and the corners.
+    POLYGON_PHONG = "polygon_phong" in &[Module::POLYGON],
+        "(Corners(row.first_vertex, row.vertex_count, v(0)), v(3), v(6), f(9))";
+    /// Row: p, the light's normal, normal, mirror direction; and the corners.
+    POLYGON_LEAST_ANGLE_COSINE = "polygon_least_angle_cosine" in &[Module::POLYGON],
+        "(Corners(row.first_vertex, row.vertex_count, v(0)), v(3), v(6), v(9))";
     /// Row: vector to the centre, radius, normal.
     SPHERE_IRRADIANCE = "sphere_irradiance" in &[Module::POINT, Module::SPHERE], "(v(0), f(3), v(4))";
     /// Row: vector to the centre, radius, normal.
@@ -61,15 +70,6 @@ functions! {
     /// Row: vector to the centre, radius, number of directions, normal, mirror direction, exponent.
     SPHERE_CLUSTER = "sphere_cluster" in &[Module::POINT, Module::SPHERE],
         "(v(0), f(3), u32(f(4)), v(5), v(8), f(11)).specular";
-    /// Row: normal; and the vertices about p.
-    POLYGON_IRRADIANCE = "polygon_irradiance" in &[Module::POINT, Module::POLYGON],
-        "(row.first_vertex, row.vertex_count, vec3f(), v(0))";
-    /// Row: normal, mirror direction, exponent; and the vertices about p.
-    POLYGON_PHONG = "polygon_phong" in &[Module::POINT, Module::POLYGON],
-        "(row.first_vertex, row.vertex_count, vec3f(), v(0), v(3), f(6))";
-    /// Row: the light's normal, normal, mirror direction, exponent; and the vertices about p.
-    POLYGON_NEAREST_POINT = "polygon_nearest_point" in &[Module::POINT, Module::POLYGON],
-        "(row.first_vertex, row.vertex_count, v(0), vec3f(), v(3), v(6), f(9))";
     /// Row: y, x. Its twin is `f64::atan2`.
     ARCTANGENT = "arctangent" in &[], "(f(0), f(1))";
 }
