@@ -5,13 +5,16 @@ use glam::{DVec2, DVec3};
 use crate::editor::session::WorkPlane;
 use crate::editor::viewport::ray::Ray;
 
-/// Beyond this distance from the eye, in metres, the work plane is too flat to point at.
+/// Seen at a smaller sine than this, the work plane is too flat to point at.
+const LEAST_SINE: f64 = 0.02;
+/// Further from the eye than this, in metres, so is it.
 const REACH: f64 = 1000.0;
 
 /// The point of the work plane under the pointer, on its grid where `snap` says so.
 pub fn point_at(ray: &Ray, plane: &WorkPlane, snap: bool) -> Option<DVec2> {
     let height = DVec3::new(0.0, 0.0, plane.height);
-    let t = ray.plane_distance(height, DVec3::Z).filter(|t| *t < REACH)?;
+    let seen_well = ray.direction.z.abs() >= LEAST_SINE;
+    let t = ray.plane_distance(height, DVec3::Z).filter(|t| seen_well && *t < REACH)?;
     let p = ray.at(t).truncate();
     Some(if snap { snapped(p, plane.grid) } else { p })
 }
@@ -55,9 +58,9 @@ mod tests {
     fn pointing_at_the_sky_or_the_horizon_meets_nothing() {
         let plane = WorkPlane { height: 2.0, snap: false, grid: 0.1 };
         let up = Ray { origin: DVec3::new(0.0, 0.0, 5.0), direction: DVec3::Z };
-        let flat = Ray { origin: DVec3::new(0.0, 0.0, 5.0), direction: DVec3::new(1.0, 0.0, -1e-4).normalize() };
+        let flat = Ray { origin: DVec3::new(0.0, 0.0, 5.0), direction: DVec3::new(1.0, 0.0, -0.01).normalize() };
         assert_eq!(point_at(&up, &plane, false), None, "up");
-        assert_eq!(point_at(&flat, &plane, false), None, "kilometres away");
+        assert_eq!(point_at(&flat, &plane, false), None, "seen flatly");
     }
 
     #[test]

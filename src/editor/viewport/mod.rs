@@ -56,6 +56,8 @@ pub struct Viewport {
     overlays: Overlays,
 }
 
+/// Outlines of surfaces that no light shows.
+const IN_THE_DARK: Color32 = Color32::from_gray(0x70);
 /// A pane narrower than this shows nothing, points.
 const LEAST_SIDE: f32 = 8.0;
 /// A pane narrower than this has no room for controls, points.
@@ -153,7 +155,7 @@ impl Viewport {
             let hovered = self.pointer.hovered();
             overlay::paint_lights(scene, &session.selection, hovered, accent, &self.solids, projection, &painter);
         }
-        self.paint_selected_surfaces(session, accent, projection, &painter);
+        self.paint_surfaces(session, accent, projection, &painter);
         if let Some(plot) = scene.plots.get(session.plots.active).filter(|_| self.overlays.probe) {
             let chosen = session.selection.contains(Item::Plot(session.plots.active)) || self.pointer.holds_probe();
             overlay::paint_probe(plot, chosen, accent, projection, &painter);
@@ -165,18 +167,20 @@ impl Viewport {
         }
     }
 
-    /// Boxes around the selected surfaces.
-    fn paint_selected_surfaces(
-        &self,
-        session: &Session,
-        accent: Color32,
-        projection: &Projection,
-        painter: &egui::Painter,
-    ) {
-        for item in session.selection.items() {
-            if let Item::Surface(i) = item {
-                overlay::paint_box(&self.solids.corners(*i), accent, &self.solids, projection, painter);
+    /// Boxes around the selected surfaces; in the dark around all of them, and what to do about that.
+    fn paint_surfaces(&self, session: &Session, accent: Color32, projection: &Projection, painter: &egui::Painter) {
+        let dark = session.scene().lights.iter().all(|light| light.muted);
+        for i in 0..session.scene().surfaces.len() {
+            let selected = session.selection.contains(Item::Surface(i));
+            if selected || dark {
+                let color = if selected { accent } else { IN_THE_DARK };
+                overlay::paint_box(&self.solids.corners(i), color, &self.solids, projection, painter);
             }
+        }
+        if dark && !session.tool.draws() {
+            let text = "No light is on.  Draw one:  P polygon,  L line,  O sphere";
+            let at = projection.rect().center_bottom() - vec2(0.0, 40.0);
+            overlay::label(text, at, Align2::CENTER_BOTTOM, Color32::from_gray(0xd8), painter);
         }
     }
 }

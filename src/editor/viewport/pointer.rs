@@ -20,6 +20,9 @@ const CLOSING_REACH: f32 = 10.0;
 /// Grid spacing that Ctrl snaps to where the work plane has none, metres.
 const DEFAULT_GRID: f64 = 0.1;
 
+/// What to do where the pointer meets no work plane.
+const OFF_PLANE: &str = "The work plane is not seen here, or too flatly: orbit the view or change its height";
+
 /// What the pointer is doing.
 #[derive(Debug, Default)]
 pub struct Pointer {
@@ -165,7 +168,8 @@ impl Pointer {
                 self.spent = true;
             }
         }
-        session.hint = self.refusal.unwrap_or(hint(session.tool, &self.draft)).to_owned();
+        let off_plane = (response.hovered() && self.cursor.is_none()).then_some(OFF_PLANE);
+        session.hint = self.refusal.or(off_plane).unwrap_or(hint(session.tool, &self.draft)).to_owned();
     }
 
     /// Enter, Backspace and Esc while drawing.
