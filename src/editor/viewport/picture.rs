@@ -15,6 +15,9 @@ const FRAME_BUDGET: Duration = Duration::from_millis(40);
 /// Resolutions while dragging, as shares of the pane's: each halves the number of pixels.
 const SCALES: [f32; 5] = [1.0, 0.7, 0.5, 0.35, 0.25];
 
+/// A step down in resolution that leaves more than this share of the cost is not worth it.
+const LEAST_GAIN: f32 = 0.85;
+
 /// A [`Preview`] shown by egui.
 pub struct Picture {
     render_state: RenderState,
@@ -31,7 +34,7 @@ impl Picture {
             render_state: render_state.clone(),
             preview: Preview::new(&render_state.device, &render_state.queue),
             texture: None,
-            pace: Pace { step: 0, budget: FRAME_BUDGET },
+            pace: Pace::new(FRAME_BUDGET),
             clock: Clock::default(),
         }
     }
@@ -47,8 +50,10 @@ impl Picture {
         let RenderState { device, queue, renderer, .. } = &self.render_state;
         // A failed poll means a lost device; then there is nothing to learn, and eframe reports it.
         let polled = device.poll(wgpu::PollType::Poll).is_ok();
-        if let Some(cost) = self.clock.read().filter(|_| polled && dragging) {
-            self.pace.learn(cost);
+        match self.clock.read().filter(|_| polled) {
+            Some(cost) if dragging => self.pace.learn(cost),
+            _ if !dragging => self.pace.rest(),
+            _ => {}
         }
         let limit = device.limits().max_texture_dimension_2d;
         let scale = if dragging { self.pace.scale() } else { 1.0 };
@@ -99,13 +104,27 @@ fn scaled(side: u32, scale: f32) -> u32 {
 }
 
 /// At what resolution to draw, learnt from what frames cost.
+///
+/// The cost is the time until the picture is seen to be done, so it holds whatever else the frame did. Where fewer
+/// pixels do not make it less, it is not the pixels that cost, and resolution stays.
 #[derive(Debug)]
 struct Pace {
+    /// Into [`SCALES`].
     step: usize,
+    /// The last step worth taking.
+    limit: usize,
     budget: Duration,
+    /// The next frame is the first of its size, in which everything is redone: it says nothing.
+    resized: bool,
+    /// What a frame cost one step up, when the last thing learnt was to step down.
+    before: Option<Duration>,
 }
 
 impl Pace {
+    fn new(budget: Duration) -> Self {
+        Self { step: 0, limit: SCALES.len() - 1, budget, resized: false, before: None }
+    }
+
     fn scale(&self) -> f32 {
         SCALES[self.step]
     }
@@ -113,11 +132,30 @@ impl Pace {
     /// A frame took `cost`. A step halves the pixels, so a frame of less than a quarter of the budget leaves room to
     /// go back up.
     fn learn(&mut self, cost: Duration) {
-        if cost > self.budget {
-            self.step = (self.step + 1).min(SCALES.len() - 1);
-        } else if cost < self.budget / 4 {
-            self.step = self.step.saturating_sub(1);
+        if std::mem::take(&mut self.resized) {
+            return;
         }
+        if self.before.take().is_some_and(|before| cost > before.mul_f32(LEAST_GAIN)) {
+            self.limit = self.step.saturating_sub(1);
+            self.go(self.limit);
+        } else if cost > self.budget && self.step < self.limit {
+            self.before = Some(cost);
+            self.go(self.step + 1);
+        } else if cost < self.budget / 4 && self.step > 0 {
+            self.go(self.step - 1);
+        }
+    }
+
+    fn go(&mut self, step: usize) {
+        self.step = step;
+        self.resized = true;
+    }
+
+    /// Nothing is dragged: what was found not worth it may be tried again.
+    fn rest(&mut self) {
+        self.limit = SCALES.len() - 1;
+        self.resized = true;
+        self.before = None;
     }
 }
 
@@ -149,18 +187,28 @@ impl Clock {
 mod tests {
     use super::*;
 
+    const BUDGET: Duration = Duration::from_millis(40);
+
+    /// Frames that cost `fixed` and, at full resolution, `pixels` milliseconds.
+    fn after_frames(pace: &mut Pace, count: usize, fixed: f32, pixels: f32) -> f32 {
+        for _ in 0..count {
+            let millis = fixed + pixels * pace.scale() * pace.scale();
+            pace.learn(Duration::from_secs_f32(1e-3 * millis));
+        }
+        pace.scale()
+    }
+
     #[test]
-    fn slow_frames_lower_the_resolution_to_a_limit_and_fast_ones_restore_it() {
-        let mut pace = Pace { step: 0, budget: Duration::from_millis(40) };
-        for _ in 0..10 {
-            pace.learn(Duration::from_millis(200));
-        }
-        assert_eq!(pace.scale(), 0.25, "a quarter");
-        pace.learn(Duration::from_millis(20));
-        assert_eq!(pace.scale(), 0.25, "within the budget nothing changes");
-        for _ in 0..10 {
-            pace.learn(Duration::from_millis(2));
-        }
-        assert_eq!(pace.scale(), 1.0, "all of it");
+    fn slow_frames_lower_the_resolution_until_they_are_fast_enough_and_fast_ones_restore_it() {
+        let mut pace = Pace::new(BUDGET);
+        assert_eq!(after_frames(&mut pace, 20, 0.0, 100.0), 0.5, "25 ms are within the budget");
+        assert_eq!(after_frames(&mut pace, 20, 0.0, 5000.0), 0.25, "no less than a quarter");
+        assert_eq!(after_frames(&mut pace, 20, 0.0, 5.0), 1.0, "all of it");
+    }
+
+    #[test]
+    fn frames_that_are_slow_whatever_the_resolution_keep_it() {
+        let mut pace = Pace::new(BUDGET);
+        assert_eq!(after_frames(&mut pace, 20, 200.0, 5.0), 1.0, "it is not the pixels");
     }
 }
