@@ -1,0 +1,241 @@
+//! A quantity at a probe that moves: exact, every approximation, point and reference on the same abscissa.
+
+use std::f64::consts::FRAC_1_PI;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Instant;
+
+use glam::{DQuat, DVec3};
+use rayon::prelude::*;
+
+use crate::light::{Emitter, Shape, luminance_of};
+use crate::scene::{Plot, PlotKind, PlotQuantity, Scene};
+use crate::shading::{Method, PhongLobe, Response, ShadingPoint, respond};
+
+/// Points that are shaded between two looks at the clock and at the wish to cancel.
+const BATCH: usize = 8;
+
+/// The curves of one plot.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Curves {
+    /// Abscissae, in degrees or metres.
+    pub x: Vec<f64>,
+    /// What the abscissa is, with its unit.
+    pub x_label: String,
+    /// What the ordinate is, with its unit.
+    pub y_label: String,
+    /// Whether the abscissa is logarithmic.
+    pub logarithmic_x: bool,
+    /// The exact values.
+    pub exact: Vec<f64>,
+    /// One a method asked for, in that order.
+    pub series: Vec<Series>,
+}
+
+/// One method's curve.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Series {
+    /// The method; a light that does not have it is shaded exactly.
+    pub method: Method,
+    /// Values.
+    pub y: Vec<f64>,
+    /// The reference's error bound, ±; none for other methods.
+    pub band: Option<Vec<f64>>,
+    /// `y` − exact.
+    pub error: Vec<f64>,
+    /// Greatest |error|.
+    pub max_error: f64,
+    /// Root of the mean squared error.
+    pub rms_error: f64,
+    /// Measured cost of one point with all lights, ns: the median over batches.
+    pub cost_ns: f64,
+}
+
+/// The methods that a plot of this scene shows: exact, the approximations that any of its lights has, point, reference.
+///
+/// Muted lights do not count, and what every light answers exactly is left out.
+pub fn methods_for(scene: &Scene) -> Vec<Method> {
+    let mut methods = vec![Method::Exact];
+    for light in scene.lights.iter().filter(|light| !light.muted) {
+        for &method in Method::of(&light.shape) {
+            if !methods.contains(&method) {
+                methods.push(method);
+            }
+        }
+    }
+    methods.sort_by_key(|method| match method {
+        Method::Exact => 0,
+        Method::Point => 2,
+        Method::Reference => 3,
+        _ => 1,
+    });
+    methods
+}
+
+/// The probe of a plot at an abscissa: where it is, how it is turned, from where it is seen.
+pub fn probe(plot: &Plot, x: f64) -> ShadingPoint {
+    let unit = |v: DVec3, otherwise| v.try_normalize().unwrap_or(otherwise);
+    let axis = unit(plot.axis, DVec3::Y);
+    let normal = unit(plot.normal, DVec3::Z);
+    let turned = || DQuat::from_axis_angle(axis, x.to_radians()) * normal;
+    let seen_from = |n: DVec3| plot.view.map_or(n, |view| unit(view, n));
+    match plot.kind {
+        PlotKind::Tilt => {
+            let n = turned();
+            ShadingPoint { p: plot.position, n, v: seen_from(n) }
+        }
+        PlotKind::View => ShadingPoint { p: plot.position, n: normal, v: turned() },
+        PlotKind::Line | PlotKind::Distance => {
+            ShadingPoint { p: plot.position + x * axis, n: normal, v: seen_from(normal) }
+        }
+    }
+}
+
+/// The curves of a plot at `samples` abscissae, at least 2; none when cancelled.
+pub fn curves(scene: &Scene, plot: &Plot, methods: &[Method], samples: usize, cancel: &AtomicBool) -> Option<Curves> {
+    let logarithmic_x = plot.kind == PlotKind::Distance && plot.range.iter().all(|x| *x > 0.0);
+    let x = abscissae(plot.range, samples.max(2), logarithmic_x);
+    let points: Vec<_> = x.iter().map(|&x| probe(plot, x)).collect();
+    let subject = Subject::new(scene, plot);
+    let exact = subject.sweep(Method::Exact, &points, cancel)?;
+    let unit = if plot.normalise { greatest(&exact.y) } else { 1.0 };
+    let series: Option<Vec<_>> = methods
+        .iter()
+        .map(|&method| {
+            let sweep = if method == Method::Exact { exact.clone() } else { subject.sweep(method, &points, cancel)? };
+            Some(sweep.compare(method, &exact.y, unit))
+        })
+        .collect();
+    Some(Curves {
+        x,
+        x_label: x_label(plot.kind).to_owned(),
+        y_label: y_label(plot).to_owned(),
+        logarithmic_x,
+        exact: exact.y.iter().map(|y| y / unit).collect(),
+        series: series?,
+    })
+}
+
+/// Equal steps, or equal ratios, from the first to the last of a range.
+fn abscissae([first, last]: [f64; 2], samples: usize, logarithmic: bool) -> Vec<f64> {
+    let steps = (samples - 1) as f64;
+    let at = |i: usize| match (i, i as f64 / steps) {
+        (0, _) => first,
+        (i, _) if i + 1 == samples => last,
+        (_, share) if logarithmic => first * (last / first).powf(share),
+        (_, share) => first + share * (last - first),
+    };
+    (0..samples).map(at).collect()
+}
+
+fn greatest(values: &[f64]) -> f64 {
+    let greatest = values.iter().copied().fold(0.0, f64::max);
+    if greatest > 0.0 { greatest } else { 1.0 }
+}
+
+fn x_label(kind: PlotKind) -> &'static str {
+    match kind {
+        PlotKind::Tilt => "Tilt of the normal (°)",
+        PlotKind::View => "Eye from the normal (°)",
+        PlotKind::Line => "Position along the axis (m)",
+        PlotKind::Distance => "Distance along the axis (m)",
+    }
+}
+
+fn y_label(plot: &Plot) -> &'static str {
+    match (plot.quantity, plot.normalise) {
+        (PlotQuantity::Irradiance, false) => "Illuminance (lx)",
+        (PlotQuantity::Specular, false) => "Specular luminance, kₛ = 1 (cd/m²)",
+        (PlotQuantity::Radiance, false) => "Luminance (cd/m²)",
+        (PlotQuantity::Irradiance, true) => "Illuminance / greatest exact",
+        (PlotQuantity::Specular, true) => "Specular luminance / greatest exact",
+        (PlotQuantity::Radiance, true) => "Luminance / greatest exact",
+    }
+}
+
+/// What is measured: the lights, and how a response becomes the quantity.
+struct Subject {
+    lights: Vec<(Emitter, Shape, f64)>,
+    lobe: PhongLobe,
+    per_irradiance: f64,
+    per_specular: f64,
+}
+
+/// One method's values, before they are compared.
+#[derive(Clone)]
+struct Sweep {
+    y: Vec<f64>,
+    cost_ns: f64,
+}
+
+impl Subject {
+    fn new(scene: &Scene, plot: &Plot) -> Self {
+        let named = plot.material.as_deref().and_then(|name| scene.material(name));
+        let material = named.or_else(|| scene.materials.first());
+        let exponent = material.map_or(1.0, |material| material.exponent);
+        let (per_irradiance, per_specular) = match plot.quantity {
+            PlotQuantity::Irradiance => (1.0, 0.0),
+            PlotQuantity::Specular => (0.0, 1.0),
+            PlotQuantity::Radiance => material.map_or((0.0, 0.0), |material| {
+                (FRAC_1_PI * luminance_of(material.diffuse), luminance_of(material.specular))
+            }),
+        };
+        let lights = scene.lights.iter().filter(|light| !light.muted);
+        Self {
+            lights: lights.map(|light| (light.emitter(), light.shape.clone(), light.strength())).collect(),
+            lobe: PhongLobe::new(exponent),
+            per_irradiance,
+            per_specular,
+        }
+    }
+
+    /// The quantity at one point.
+    fn value(&self, method: Method, at: &ShadingPoint) -> f64 {
+        let quantity = |(emitter, shape, strength): &(Emitter, Shape, f64)| {
+            let Response { irradiance, specular } = respond(emitter, method.for_shape(shape), at, &self.lobe);
+            strength * (self.per_irradiance * irradiance + self.per_specular * specular)
+        };
+        self.lights.iter().map(quantity).sum()
+    }
+
+    /// One method at every point; none when cancelled.
+    fn sweep(&self, method: Method, points: &[ShadingPoint], cancel: &AtomicBool) -> Option<Sweep> {
+        let batch = |batch: &[ShadingPoint]| {
+            if cancel.load(Ordering::Relaxed) {
+                return None;
+            }
+            let start = Instant::now();
+            let y: Vec<f64> = batch.iter().map(|at| self.value(method, at)).collect();
+            Some((y, 1e9 * start.elapsed().as_secs_f64() / batch.len() as f64))
+        };
+        let batches: Option<Vec<_>> = points.par_chunks(BATCH).map(batch).collect();
+        let (y, costs): (Vec<_>, Vec<_>) = batches?.into_iter().unzip();
+        Some(Sweep { y: y.concat(), cost_ns: median(costs) })
+    }
+}
+
+impl Sweep {
+    /// The curve in multiples of `unit`, and its errors against `exact`.
+    fn compare(self, method: Method, exact: &[f64], unit: f64) -> Series {
+        let y: Vec<f64> = self.y.iter().map(|y| y / unit).collect();
+        let error: Vec<f64> = self.y.iter().zip(exact).map(|(y, exact)| (y - exact) / unit).collect();
+        let squares: f64 = error.iter().map(|error| error * error).sum();
+        Series {
+            method,
+            band: None,
+            max_error: error.iter().fold(0.0, |greatest, error| error.abs().max(greatest)),
+            rms_error: (squares / error.len() as f64).sqrt(),
+            cost_ns: self.cost_ns,
+            y,
+            error,
+        }
+    }
+}
+
+fn median(mut values: Vec<f64>) -> f64 {
+    values.sort_by(f64::total_cmp);
+    values.get(values.len() / 2).copied().unwrap_or(0.0)
+}
+
+#[cfg(test)]
+#[path = "curve_tests.rs"]
+mod tests;
