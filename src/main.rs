@@ -5,7 +5,8 @@ use std::process::ExitCode;
 use softbox::cli;
 
 fn main() -> ExitCode {
-    env_logger::init();
+    // A driver's complaints are for who asks for them by RUST_LOG.
+    env_logger::Builder::from_env(env_logger::Env::default().default_filter_or("error,wgpu_hal=off")).init();
     let outcome = match cli::parse() {
         Ok(arguments) => cli::run(&arguments),
         Err(answer) => answer,

@@ -63,7 +63,7 @@ impl App {
 
     /// Whether work is under way, off this thread, that will change what is shown.
     pub fn is_busy(&self) -> bool {
-        self.files.is_waiting()
+        self.files.is_waiting() || self.views.plots.is_busy()
     }
 
     /// Show or hide the list of keys.

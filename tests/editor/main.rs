@@ -3,5 +3,6 @@
 
 mod files;
 mod panes;
+mod start;
 mod viewport;
 mod window;

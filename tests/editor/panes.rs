@@ -2,6 +2,7 @@
 
 use std::time::Duration;
 
+use egui::accesskit::Role;
 use egui::{Key, Modifiers, vec2};
 use softbox::editor::{Item, Tool};
 use softbox::light::{QuantityKind, Shape};
@@ -115,11 +116,12 @@ fn plain_keys_take_tools_but_not_while_text_is_typed() {
 #[test]
 fn lights_are_added_from_the_menu() {
     let mut window = Window::new();
-    for (index, kind) in ["Polygon", "Line", "Sphere", "Point", "Directional"].into_iter().enumerate() {
+    for kind in ["Polygon", "Line", "Sphere", "Point", "Directional"] {
         window.menu(&["Add", "Light", kind]);
         let light = window.scene().lights.last().cloned().expect("a light");
         assert_eq!(light.shape.name(), kind.to_lowercase(), "{kind}");
-        assert_eq!(window.selected().map(|(item, _)| item), Some(Item::Light(index)), "{kind} is selected");
+        let last = Item::Light(window.scene().lights.len() - 1);
+        assert_eq!(window.selected().map(|(item, _)| item), Some(last), "{kind} is selected");
     }
 }
 
@@ -128,6 +130,22 @@ fn the_method_of_the_view_is_chosen_from_the_menu() {
     let mut window = Window::with_scene();
     window.menu(&["View", "Shading method", "nearest-point"]);
     assert_eq!(window.session().view.method, Method::NearestPoint, "chosen");
+}
+
+#[test]
+fn plots_show_a_curve_a_method_and_their_errors() {
+    let mut window = Window::with_scene();
+    assert!(window.has("Curves of tilt under the window"), "the first plot is in front");
+    for method in ["exact", "nearest-point", "chebyshev", "hermite-1", "point", "reference"] {
+        assert!(window.has(&format!("Show {method}")), "{method} is in the legend");
+    }
+    assert!(!window.has_any("…"), "all figures have come");
+    window.click("Show point");
+    assert!(window.session().plots.hidden.contains("point"), "switched off");
+    window.click_role(Role::Button, "New plot");
+    window.menu(&["line"]);
+    assert_eq!(window.scene().plots.len(), 3, "a plot more");
+    assert!(window.has("Curves of line"), "and in front");
 }
 
 #[test]
@@ -146,4 +164,37 @@ fn an_idle_window_asks_for_no_frames() {
     window.harness.step();
     let delay = window.harness.output().viewport_output[&egui::ViewportId::ROOT].repaint_delay;
     assert_eq!(delay, Duration::MAX, "repaint causes: {:?}", window.harness.ctx.repaint_causes());
+}
+
+#[test]
+fn a_preset_is_inserted_from_the_menu_and_selected() {
+    let mut window = Window::with_scene();
+    window.menu(&["File", "Insert preset", "Octabox"]);
+    assert!(window.scene().lights.len() > 3, "its lights are there");
+    assert_eq!(window.selected().map(|(item, _)| item), Some(Item::Light(3)), "and selected");
+    assert_eq!(window.steps_back(), ["Insert Octabox"], "one step");
+}
+
+#[test]
+fn an_example_is_opened_from_the_menu() {
+    let mut window = Window::with_scene();
+    window.menu(&["File", "Open example", "Portrait"]);
+    assert_eq!(window.session().path, None, "it has no file of its own");
+    assert!(!window.scene().lights.is_empty(), "and lights");
+}
+
+/// The README's picture. Figures in the legend that are measured times differ from run to run.
+#[test]
+fn the_window_looks_as_it_did() {
+    let mut window = Window::with_scene();
+    window.click("window");
+    window.snapshot("editor");
+}
+
+#[test]
+fn the_light_theme_looks_as_it_did() {
+    let mut window = Window::with_scene();
+    window.menu(&["View", "Switch dark/light theme"]);
+    window.click("ball");
+    window.snapshot("editor_light");
 }

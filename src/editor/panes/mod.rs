@@ -4,12 +4,14 @@ mod inspector;
 mod menu;
 mod outliner;
 mod overlays;
+mod plots;
 mod problems;
 
 pub use inspector::Inspector;
 pub use menu::{menu_bar, toolbar};
 pub use outliner::Outliner;
 pub use overlays::{Choice, Messages, ask_unsaved, keys};
+pub use plots::Plots;
 
 use egui::{Button, Color32, Response, Ui, WidgetText, vec2};
 use egui_material_icons::MaterialIcon;
@@ -28,6 +30,8 @@ pub enum Pane {
     Outliner,
     /// The numbers of what is selected.
     Inspector,
+    /// Curves at a probe.
+    Plots,
     /// What is wrong.
     Problems,
 }
@@ -41,6 +45,8 @@ pub struct Views {
     pub outliner: Outliner,
     /// The numbers of what is selected.
     pub inspector: Inspector,
+    /// Curves at a probe.
+    pub plots: Plots,
 }
 
 /// What the panes are shown with, and what they ask for.
@@ -62,7 +68,7 @@ pub fn default_layout() -> Tree<Pane> {
     };
     let outliner = tab(&mut tiles, &[Pane::Outliner]);
     let viewport = tab(&mut tiles, &[Pane::Viewport]);
-    let below = tab(&mut tiles, &[Pane::Problems]);
+    let below = tab(&mut tiles, &[Pane::Plots, Pane::Problems]);
     let inspector = tab(&mut tiles, &[Pane::Inspector]);
     let middle = insert(&mut tiles, LinearDir::Vertical, &[(viewport, 0.6), (below, 0.4)]);
     let root = insert(&mut tiles, LinearDir::Horizontal, &[(outliner, 0.17), (middle, 0.585), (inspector, 0.245)]);
@@ -88,6 +94,7 @@ impl egui_tiles::Behavior<Pane> for Panes<'_> {
             }
             Pane::Outliner => self.commands.extend(self.views.outliner.show(ui, self.session)),
             Pane::Inspector => self.views.inspector.show(ui, self.session),
+            Pane::Plots => self.commands.extend(self.views.plots.show(ui, self.session)),
             Pane::Problems => problems::show(ui, self.session),
         }
         UiResponse::None
@@ -98,6 +105,7 @@ impl egui_tiles::Behavior<Pane> for Panes<'_> {
             Pane::Viewport => "View",
             Pane::Outliner => "Outliner",
             Pane::Inspector => "Inspector",
+            Pane::Plots => "Plots",
             Pane::Problems => "Problems",
         }
         .into()
