@@ -154,19 +154,21 @@ impl App {
 impl eframe::App for App {
     fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
         let ctx = ui.ctx().clone();
+        let before = self.session.glance();
         self.handle_events(&ctx);
         let mut chosen = self.bars(ui);
-        // Whatever the pointer is over says what it would do; the status bar shows it in the next frame.
+        // Whatever the pointer is over says what it would do.
         let shown_hint = std::mem::take(&mut self.session.hint);
         chosen.extend(self.panes(ui));
-        if self.session.hint != shown_hint {
-            ctx.request_repaint();
-        }
         for command in chosen {
             command.run(self, &ctx);
         }
         self.overlays(&ctx);
         self.update_title(&ctx);
+        // What one pane has changed, those drawn before it show in the next frame.
+        if self.session.hint != shown_hint || self.session.glance() != before {
+            ctx.request_repaint();
+        }
     }
 
     fn save(&mut self, storage: &mut dyn eframe::Storage) {

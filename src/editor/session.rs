@@ -135,6 +135,25 @@ struct Shown {
     scene: Arc<Scene>,
 }
 
+/// What panes show, at one moment.
+#[derive(Clone, Debug)]
+pub struct Glance {
+    scene: Arc<Scene>,
+    selection: Selection,
+    tool: Tool,
+    view: ViewState,
+}
+
+impl PartialEq for Glance {
+    /// Scenes are told apart by identity: every edit makes another.
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.scene, &other.scene)
+            && self.selection == other.selection
+            && self.tool == other.tool
+            && self.view == other.view
+    }
+}
+
 impl Selection {
     /// The thing selected last, which the inspector and the handles show.
     pub fn primary(&self) -> Option<Item> {
@@ -252,6 +271,16 @@ impl Session {
             notices: Vec::new(),
             solo: BTreeSet::new(),
             shown: None,
+        }
+    }
+
+    /// What panes show, to see whether it has changed.
+    pub fn glance(&self) -> Glance {
+        Glance {
+            scene: Arc::clone(self.history.scene()),
+            selection: self.selection.clone(),
+            tool: self.tool,
+            view: self.view,
         }
     }
 
