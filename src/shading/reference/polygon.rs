@@ -19,7 +19,10 @@ pub fn polygon_reference(light: &PolygonEmitter, p: DVec3, kernel: &Kernel) -> E
     let crossings = kernel.horizons().flat_map(|normal| view.crossings(normal));
     let (peak, spread) = view.longitude_of_peak(kernel.axis);
     let peaks = kernel.peak_offsets().map(|offset| peak + spread * offset);
-    let breaks = split(lo, hi, corners.chain(crossings).chain(peaks));
+    // Where the two horizons meet.
+    let both = kernel.horizon.map(|normal| normal.cross(kernel.axis));
+    let meeting = both.into_iter().flat_map(|at| [view.longitude_of_peak(at).0, view.longitude_of_peak(-at).0]);
+    let breaks = split(lo, hi, corners.chain(crossings).chain(peaks).chain(meeting));
     let estimate = adaptive_graded(&breaks, OUTER, |beta| view.row(beta, kernel));
     // What the rounding of the inputs about p may do: to the width seen, to the height, and to the size.
     let conditioning = (hi - lo).max(f64::MIN_POSITIVE).recip() + view.reach / view.height + view.reach / view.size;
