@@ -21,7 +21,7 @@ pub fn cap_reference(center: DVec3, half_angle: f64, kernel: &Kernel) -> Estimat
     let cap = Cap::new(center);
     // Rings touch a horizon at these polar angles, and meet both at the last.
     let touching = kernel.horizons().flat_map(|normal| {
-        let (_, latitude) = cap.from_plane(normal);
+        let (_, latitude) = cap.place_of(normal);
         [latitude.abs(), PI - latitude.abs()]
     });
     let both = kernel.horizon.map(|normal| cap.polar(normal.cross(kernel.axis)));
@@ -52,7 +52,7 @@ impl Cap {
     }
 
     /// Azimuth of a direction, and its angle above the plane across the centre.
-    fn from_plane(&self, direction: DVec3) -> (f64, f64) {
+    fn place_of(&self, direction: DVec3) -> (f64, f64) {
         (direction.dot(self.v).atan2(direction.dot(self.u)), FRAC_PI_2 - self.polar(direction))
     }
 
@@ -62,12 +62,12 @@ impl Cap {
         let direction = |alpha: f64| cosine * self.center + sine * (alpha.cos() * self.u + alpha.sin() * self.v);
         let horizon_ends = kernel.horizons().flat_map(|normal| {
             // On the ring normal·ω = c + s cos(α − azimuth).
-            let (azimuth, _) = self.from_plane(normal);
+            let (azimuth, _) = self.place_of(normal);
             let (c, s) = (cosine * normal.dot(self.center), sine * self.center.cross(normal).length());
             let half_width = if s > c.abs() { ((s - c) * (s + c)).sqrt().atan2(-c) } else { PI };
             [azimuth - half_width, azimuth + half_width]
         });
-        let (azimuth, _) = self.from_plane(kernel.axis);
+        let (azimuth, _) = self.place_of(kernel.axis);
         let spread = sine.max(1e-3).recip();
         let peaks = kernel.peak_offsets().map(|offset| azimuth + (offset * spread).clamp(-PI, PI));
         let around = |alpha: f64| {
