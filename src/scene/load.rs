@@ -40,7 +40,7 @@ pub fn parse(text: &str, file: impl AsRef<std::path::Path>) -> Result<Scene, Loa
 }
 
 /// The bytes of a regular file that is not too large.
-fn read(path: &std::path::Path) -> io::Result<Vec<u8>> {
+pub(super) fn read(path: &std::path::Path) -> io::Result<Vec<u8>> {
     let metadata = fs::metadata(path)?;
     if metadata.is_dir() {
         return Err(io::Error::other("it is a directory; name a scene file in it"));
@@ -59,7 +59,7 @@ fn too_large() -> io::Error {
 }
 
 /// Syntax, then structure, then contradictions, then values: what fails at one stage is not looked at by the next.
-fn parse_text(text: &str) -> Result<Scene, Vec<Problem>> {
+pub(super) fn parse_text(text: &str) -> Result<Scene, Vec<Problem>> {
     let document = DeTable::parse(text).map_err(|error| vec![syntax_problem(text, &error)])?;
     if let Some(problem) = other_format(&document) {
         return Err(locate(vec![problem], &document, text));

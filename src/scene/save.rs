@@ -9,7 +9,7 @@ use serde::Serialize;
 use tempfile::Builder;
 use toml::ser::ValueSerializer;
 
-use super::{Camera, Display, FORMAT, Plot, Problem, Scene, validate};
+use super::{Camera, Display, FORMAT, Plot, Problem, Scene, load, merge, validate};
 use crate::light::{Light, Tint};
 use crate::surface::{Material, Surface};
 
@@ -34,17 +34,24 @@ pub enum SaveError {
     },
 }
 
-/// Save a scene so that, after a crash at any moment, the file is the old one or the new one.
+/// Save a scene in a file; if there is one, with the comments and the form of what did not change ([`merge()`]).
 ///
-/// The text goes to a new file in the same folder, and to the disk, before that takes the name. A symbolic link is
-/// followed, and an existing file's permissions are kept.
+/// After a crash at any moment, the file is the old one or the new one: the text goes to a new file in the same folder,
+/// and to the disk, before that takes the name. A symbolic link is followed, and an existing file's permissions are kept.
 pub fn save(scene: &Scene, path: impl AsRef<Path>) -> Result<(), SaveError> {
+    save_as(scene, &path, &path)
+}
+
+/// [`save`], but with the comments and the form of the file `source`, from which the scene was loaded.
+pub fn save_as(scene: &Scene, path: impl AsRef<Path>, source: impl AsRef<Path>) -> Result<(), SaveError> {
     let path = path.as_ref();
     let problems = validate(scene);
     if !problems.is_empty() {
         return Err(SaveError::Invalid { file: path.to_owned(), problems });
     }
-    replace(path, to_toml(scene).as_bytes()).map_err(|cause| SaveError::Write { file: path.to_owned(), cause })
+    let old = load::read(source.as_ref()).ok().and_then(|bytes| String::from_utf8(bytes).ok());
+    let text = old.map_or_else(|| to_toml(scene), |old| merge(&old, scene));
+    replace(path, text.as_bytes()).map_err(|cause| SaveError::Write { file: path.to_owned(), cause })
 }
 
 /// The text of a scene's file.

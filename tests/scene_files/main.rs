@@ -1,5 +1,6 @@
-//! Scene files: loading, refusing, saving, and the presets.
+//! Scene files: loading, refusing, saving, merging, and the presets.
 
+mod merging;
 mod presets;
 mod random;
 mod refusals;

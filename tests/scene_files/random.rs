@@ -130,7 +130,71 @@ fn any_scene() -> impl Strategy<Value = Scene> {
     )
 }
 
+/// What an edit makes of a list: entries stay, come first, change under their name, are replaced, or go.
+fn edited<T: Clone>(old: &[T], new: &[T], choices: &[u8], name_of: impl Fn(&mut T) -> &mut String) -> Vec<T> {
+    let mut edited = Vec::new();
+    for (i, choice) in choices.iter().enumerate() {
+        match (choice, old.get(i).cloned(), new.get(i).cloned()) {
+            (0, Some(old), _) => edited.push(old),
+            (1, Some(old), _) => edited.insert(0, old),
+            (2, Some(mut old), Some(mut new)) => {
+                name_of(&mut new).clone_from(name_of(&mut old));
+                edited.push(new);
+            }
+            (3, _, Some(mut new)) => {
+                name_of(&mut new).push_str(" new");
+                edited.push(new);
+            }
+            _ => {}
+        }
+    }
+    edited
+}
+
+/// A scene and what an edit makes of it.
+fn any_edit() -> impl Strategy<Value = (Scene, Scene)> {
+    (any_scene(), any_scene(), proptest::collection::vec(0_u8..5, 4)).prop_map(|(old, new, choices)| {
+        let surfaces = edited(&old.surfaces, &new.surfaces, &choices, |surface| &mut surface.name);
+        let lights = edited(&old.lights, &new.lights, &choices, |light| &mut light.name);
+        let plots = edited(&old.plots, &new.plots, &choices, |plot| &mut plot.name);
+        (old, Scene { surfaces, lights, plots, ..new })
+    })
+}
+
+/// The comments beside the headers, each with its header and the name below it.
+fn marks(text: &str) -> Vec<(&str, &str, &str)> {
+    let lines: Vec<_> = text.lines().collect();
+    let mark = |pair: &[&'_ str]| pair[0].starts_with("[[") && pair[0].contains(" # ");
+    lines
+        .windows(2)
+        .filter(|pair| mark(pair))
+        .filter_map(|pair| pair[0].split_once(" # ").map(|(header, comment)| (header, comment, pair[1])))
+        .collect()
+}
+
 proptest! {
+    #[test]
+    fn a_file_that_softbox_wrote_stays_as_softbox_writes_it((old, new) in any_edit()) {
+        prop_assert_eq!(scene::merge(&scene::to_toml(&old), &new), scene::to_toml(&new), "the same text");
+    }
+
+    #[test]
+    fn comments_stay_with_the_names_that_stay((old, new) in any_edit()) {
+        let mark = |(i, line): (usize, &str)| match line.starts_with("[[") {
+            true => format!("{line} # comment {i}\n"),
+            false => format!("{line}\n"),
+        };
+        let text: String = scene::to_toml(&old).lines().enumerate().map(mark).collect();
+        let merged = scene::merge(&text, &new);
+        let read = scene::parse(&merged, "any.toml");
+        prop_assert_eq!(read.map_err(|error| TestCaseError::fail(error.to_string()))?, new.clone(), "the same scene");
+        let (after, plain) = (marks(&merged), scene::to_toml(&new));
+        for (header, comment, name) in marks(&text) {
+            let stays = plain.contains(&format!("{header}\n{name}\n"));
+            prop_assert!(!stays || after.contains(&(header, comment, name)), "{} {} in\n{}", header, name, merged);
+        }
+    }
+
     #[test]
     fn any_scene_is_read_as_it_was_written(scene in any_scene()) {
         let text = scene::to_toml(&scene);
