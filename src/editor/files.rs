@@ -169,7 +169,8 @@ impl App {
     }
 
     fn write(&mut self, ctx: &egui::Context, path: &Path, then: Option<Then>) {
-        match scene::save(self.session.scene(), path) {
+        let source = self.session.path.as_deref().unwrap_or(path);
+        match scene::save_as(self.session.scene(), path, source) {
             Ok(()) => {
                 self.session.history.mark_saved();
                 self.session.path = Some(path.to_owned());
