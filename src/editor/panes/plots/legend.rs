@@ -17,8 +17,8 @@ const FIGURE_WIDTH: f32 = 54.0;
 pub(super) fn show(ui: &mut Ui, methods: &[Method], series: &[Series], hidden: &mut BTreeSet<String>) {
     egui::ScrollArea::vertical().id_salt("legend").show(ui, |ui| {
         Grid::new("legend").num_columns(5).spacing(vec2(6.0, 0.0)).striped(true).show(ui, |ui| {
-            ui.label("");
             ui.label(RichText::new("method").small().weak());
+            ui.label("");
             for title in ["max error", "RMS", "cost"] {
                 right_aligned(ui, RichText::new(title).small().weak());
             }
@@ -33,19 +33,15 @@ pub(super) fn show(ui: &mut Ui, methods: &[Method], series: &[Series], hidden: &
 
 fn row(ui: &mut Ui, method: Method, series: Option<&Series>, hidden: &mut BTreeSet<String>) {
     let name = method.to_string();
-    ui.horizontal(|ui| {
-        ui.spacing_mut().item_spacing.x = 3.0;
-        let mut shown = !hidden.contains(&name);
-        if ui.checkbox(&mut shown, "").accessible_name(format!("Show {name}")).changed() {
-            if shown {
-                hidden.remove(&name);
-            } else {
-                hidden.insert(name.clone());
-            }
+    let mut shown = !hidden.contains(&name);
+    if ui.checkbox(&mut shown, &name).accessible_name(format!("Show {name}")).changed() {
+        if shown {
+            hidden.remove(&name);
+        } else {
+            hidden.insert(name);
         }
-        stroke_sample(ui, method);
-    });
-    ui.label(&name).accessible_name(format!("Curve {name}"));
+    }
+    stroke_sample(ui, method);
     let figure = |ui: &mut Ui, value: Option<String>| {
         let text = RichText::new(value.unwrap_or_else(|| "…".to_owned())).monospace();
         right_aligned(ui, text);
