@@ -8,7 +8,9 @@ use glam::{DQuat, DVec3};
 use rayon::prelude::*;
 
 use crate::light::{Emitter, Shape, luminance_of};
+use crate::math::quadrature::Estimate;
 use crate::scene::{Plot, PlotKind, PlotQuantity, Scene};
+use crate::shading::reference::reference;
 use crate::shading::{Method, PhongLobe, Response, ShadingPoint, respond};
 
 /// Points that are shaded between two looks at the clock and at the wish to cancel.
@@ -164,6 +166,7 @@ struct Subject {
 #[derive(Clone)]
 struct Sweep {
     y: Vec<f64>,
+    bound: Vec<f64>,
     cost_ns: f64,
 }
 
@@ -188,13 +191,22 @@ impl Subject {
         }
     }
 
-    /// The quantity at one point.
-    fn value(&self, method: Method, at: &ShadingPoint) -> f64 {
+    /// The quantity at one point, with the reference's own bound; other methods state none.
+    fn value(&self, method: Method, at: &ShadingPoint) -> Estimate {
         let quantity = |(emitter, shape, strength): &(Emitter, Shape, f64)| {
-            let Response { irradiance, specular } = respond(emitter, method.for_shape(shape), at, &self.lobe);
-            strength * (self.per_irradiance * irradiance + self.per_specular * specular)
+            let parts = match method.for_shape(shape) {
+                Method::Reference => {
+                    let bounded = reference(emitter, at, &self.lobe);
+                    [bounded.irradiance, bounded.specular]
+                }
+                method => {
+                    let Response { irradiance, specular } = respond(emitter, method, at, &self.lobe);
+                    [irradiance, specular].map(|value| Estimate { value, error: 0.0 })
+                }
+            };
+            (parts[0] * self.per_irradiance + parts[1] * self.per_specular) * *strength
         };
-        self.lights.iter().map(quantity).sum()
+        self.lights.iter().map(quantity).fold(Estimate::default(), |sum, part| sum + part)
     }
 
     /// One method at every point; none when cancelled.
@@ -204,12 +216,13 @@ impl Subject {
                 return None;
             }
             let start = Instant::now();
-            let y: Vec<f64> = batch.iter().map(|at| self.value(method, at)).collect();
-            Some((y, 1e9 * start.elapsed().as_secs_f64() / batch.len() as f64))
+            let values: Vec<Estimate> = batch.iter().map(|at| self.value(method, at)).collect();
+            Some((values, 1e9 * start.elapsed().as_secs_f64() / batch.len() as f64))
         };
         let batches: Option<Vec<_>> = points.par_chunks(BATCH).map(batch).collect();
-        let (y, costs): (Vec<_>, Vec<_>) = batches?.into_iter().unzip();
-        Some(Sweep { y: y.concat(), cost_ns: median(costs) })
+        let (values, costs): (Vec<_>, Vec<_>) = batches?.into_iter().unzip();
+        let (y, bound) = values.concat().iter().map(|estimate| (estimate.value, estimate.error)).unzip();
+        Some(Sweep { y, bound, cost_ns: median(costs) })
     }
 }
 
@@ -221,7 +234,7 @@ impl Sweep {
         let squares: f64 = error.iter().map(|error| error * error).sum();
         Series {
             method,
-            band: None,
+            band: (method == Method::Reference).then(|| self.bound.iter().map(|bound| bound / unit).collect()),
             max_error: error.iter().fold(0.0, |greatest, error| error.abs().max(greatest)),
             rms_error: (squares / error.len() as f64).sqrt(),
             cost_ns: self.cost_ns,

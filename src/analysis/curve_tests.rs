@@ -133,3 +133,17 @@ fn cancelled_curves_are_none() {
     let plot = plot(PlotKind::Tilt, PlotQuantity::Irradiance, [0.0, 90.0]);
     assert_eq!(curves(&sun(), &plot, &[Method::Exact], 10, &AtomicBool::new(true)), None, "cancelled");
 }
+
+#[test]
+fn the_reference_has_a_band_and_the_exact_curve_lies_within_it() {
+    let line = Shape::Line(Line { length: 3.0, emission: LineEmission::Isotropic, falloff: 2.0 });
+    let scene = scene(vec![light(line, QuantityKind::IntensityPerMetre, 50.0)]);
+    let curves = run(&scene, &plot(PlotKind::Line, PlotQuantity::Radiance, [-4.0, 4.0]), 33);
+    let reference = curves.series.iter().find(|series| series.method == Method::Reference).unwrap();
+    let band = reference.band.as_ref().unwrap();
+    for (i, bound) in band.iter().enumerate() {
+        let slack = bound + 1e-12 * curves.exact[i];
+        assert!(reference.error[i].abs() <= slack, "at {}: {} > {slack}", curves.x[i], reference.error[i]);
+    }
+    assert!(curves.series.iter().all(|series| (series.method == Method::Reference) == series.band.is_some()), "bands");
+}

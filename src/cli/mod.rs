@@ -1,6 +1,9 @@
 //! The command line: one file a subcommand, each with its `Args` and a `run`.
 
 mod check;
+mod files;
+mod probe;
+mod render;
 mod schema;
 mod verify;
 
@@ -46,6 +49,8 @@ pub struct Arguments {
 
 #[derive(Debug, Subcommand)]
 enum Command {
+    Render(render::Args),
+    Probe(probe::Args),
     Check(check::Args),
     Verify(verify::Args),
     /// Print the JSON Schema of scene files.
@@ -67,6 +72,8 @@ pub fn parse() -> Result<Arguments, anyhow::Result<Outcome>> {
 /// Run what was asked for.
 pub fn run(arguments: &Arguments) -> anyhow::Result<Outcome> {
     match &arguments.command {
+        Some(Command::Render(args)) => render::run(args),
+        Some(Command::Probe(args)) => probe::run(args),
         Some(Command::Check(args)) => check::run(args),
         Some(Command::Verify(args)) => verify::run(args),
         Some(Command::Schema) => schema::run(),

@@ -1,1 +1,4 @@
-//! What leaves the program: one file a format.
+//! What leaves the program: one file a format. Every writer gives bytes; putting them in a file is up to the caller.
+
+pub mod exr;
+pub mod png;

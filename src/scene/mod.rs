@@ -19,7 +19,7 @@ pub use load::{MAX_FILE_BYTES, load, parse};
 pub use merge::merge;
 pub use plot::{Plot, PlotKind, PlotQuantity};
 pub use problem::{LoadError, Path, Place, Problem, Segment};
-pub use save::{SaveError, save, save_as, to_toml};
+pub use save::{SaveError, replace_file, save, save_as, to_toml};
 pub use schema::schema;
 pub use validate::validate;
 

@@ -51,7 +51,7 @@ pub fn save_as(scene: &Scene, path: impl AsRef<Path>, source: impl AsRef<Path>) 
     }
     let old = load::read(source.as_ref()).ok().and_then(|bytes| String::from_utf8(bytes).ok());
     let text = old.map_or_else(|| to_toml(scene), |old| merge(&old, scene));
-    replace(path, text.as_bytes()).map_err(|cause| SaveError::Write { file: path.to_owned(), cause })
+    replace_file(path, text.as_bytes()).map_err(|cause| SaveError::Write { file: path.to_owned(), cause })
 }
 
 /// The text of a scene's file.
@@ -173,8 +173,12 @@ impl Table {
     }
 }
 
-/// Put `bytes` in the place of the file `path`, all or nothing.
-fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
+/// Put `bytes` in the place of the file `path`, all or nothing; what is not a regular file is left alone.
+///
+/// # Errors
+///
+/// What the system says; the old file is then as it was.
+pub fn replace_file(path: &Path, bytes: &[u8]) -> io::Result<()> {
     let path = follow_links(path)?;
     let folder = match path.parent() {
         Some(folder) if folder != Path::new("") => folder,
@@ -182,13 +186,14 @@ fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
     };
     let old = match fs::metadata(&path) {
         Ok(old) if old.is_dir() => return Err(io::ErrorKind::IsADirectory.into()),
+        Ok(old) if !old.is_file() => return Err(io::Error::other("it is not a regular file")),
         Ok(old) if old.permissions().readonly() => return Err(io::Error::other("the file is read-only")),
         Ok(old) => Some(old),
         Err(error) if error.kind() == io::ErrorKind::NotFound => None,
         Err(error) => return Err(error),
     };
     let mut builder = Builder::new();
-    builder.prefix(".softbox-").suffix(".toml");
+    builder.prefix(".softbox-").suffix(".tmp");
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666)); // less the umask, as any new file
     let mut new = builder.tempfile_in(folder)?;

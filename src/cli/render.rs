@@ -1,0 +1,113 @@
+//! `softbox render`: a picture of a scene.
+
+use std::path::PathBuf;
+use std::str::FromStr;
+use std::sync::Arc;
+use std::sync::mpsc::{self, RecvTimeoutError};
+use std::thread;
+use std::time::Duration;
+
+use indicatif::{ProgressBar, ProgressStyle};
+
+use super::{Outcome, files};
+use crate::export;
+use crate::render::{MethodChoice, Progress, Settings, render};
+
+/// Largest picture, pixels.
+const MAX_PIXELS: u64 = 1 << 26;
+
+/// Longest side of a picture, pixels.
+const MAX_SIDE: u32 = 1 << 15;
+
+/// Most rays a pixel.
+const MAX_SAMPLES: u32 = 1 << 16;
+
+/// Time between two looks at how far the picture is.
+const BAR_INTERVAL: Duration = Duration::from_millis(50);
+
+/// Render a picture of a scene, without display or GPU.
+#[derive(Debug, clap::Args)]
+pub(super) struct Args {
+    /// Scene file.
+    scene: PathBuf,
+    /// Picture to write: .png, exposed and tone-mapped, or .exr, linear radiance in cd/m².
+    #[arg(short, long, value_name = "FILE")]
+    output: PathBuf,
+    /// exact, chebyshev, nearest-point, hermite-1, hermite-2, point-cluster[-N], point, reference, or approx for each
+    /// light's first approximation; lights that do not have it are shaded exactly.
+    #[arg(short, long, default_value = "exact", value_name = "METHOD")]
+    method: MethodChoice,
+    /// Width and height in pixels.
+    #[arg(short, long, default_value = "960x540", value_name = "WxH")]
+    size: Size,
+    /// Rays a pixel; 1 goes through its centre.
+    #[arg(long, default_value_t = 16, value_parser = clap::value_parser!(u32).range(1..=i64::from(MAX_SAMPLES)))]
+    samples: u32,
+    /// Leave shadows out, as all pictures do yet.
+    #[arg(long)]
+    no_shadows: bool,
+}
+
+/// A picture's width and height.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Size([u32; 2]);
+
+impl FromStr for Size {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let number = |text: &str| text.parse::<u32>().ok().filter(|side| (1..=MAX_SIDE).contains(side));
+        let sides = text.split_once('x').and_then(|(width, height)| Some([number(width)?, number(height)?]));
+        sides
+            .filter(|[width, height]| u64::from(*width) * u64::from(*height) <= MAX_PIXELS)
+            .map(Self)
+            .ok_or_else(|| format!("use WIDTHxHEIGHT, each 1 to {MAX_SIDE}, together at most {MAX_PIXELS} pixels"))
+    }
+}
+
+/// What a picture is written as.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Format {
+    Png,
+    Exr,
+}
+
+/// Render the picture and write it whole, or not at all.
+pub(super) fn run(args: &Args) -> anyhow::Result<Outcome> {
+    let format = files::format(&args.output, &[("png", Format::Png), ("exr", Format::Exr)])?;
+    let scene = files::load(&args.scene)?;
+    files::check_writable(&args.output)?;
+    let settings = Settings { size: args.size.0, choice: args.method, samples: args.samples };
+    let progress = Arc::new(Progress::default());
+    let on_interrupt = Arc::clone(&progress);
+    ctrlc::set_handler(move || on_interrupt.cancel())?;
+    let Some(film) = with_bar(&settings, &progress, || render(&scene, &settings, &progress)) else {
+        return Ok(Outcome::Interrupted);
+    };
+    let bytes = match format {
+        Format::Png => export::png::rgb(film.size(), film.srgb())?,
+        Format::Exr => export::exr::radiance(film.size(), film.radiance())?,
+    };
+    files::write(&args.output, &bytes)?;
+    Ok(Outcome::Done)
+}
+
+/// Do the work beside a progress bar, which shows only where standard error is a terminal.
+fn with_bar<T>(settings: &Settings, progress: &Progress, work: impl FnOnce() -> T) -> T {
+    let [width, height] = settings.size.map(u64::from);
+    let style = ProgressStyle::with_template("{wide_bar} {percent:>3} %  {elapsed}, {eta} left");
+    let bar = ProgressBar::new(width * height).with_style(style.unwrap_or(ProgressStyle::default_bar()));
+    let (finished, is_finished) = mpsc::channel::<()>();
+    thread::scope(|scope| {
+        let bar = &bar;
+        scope.spawn(move || {
+            while is_finished.recv_timeout(BAR_INTERVAL) == Err(RecvTimeoutError::Timeout) {
+                bar.set_position(progress.done());
+            }
+            bar.finish_and_clear();
+        });
+        let result = work();
+        drop(finished);
+        result
+    })
+}
