@@ -69,8 +69,11 @@ pub fn parse() -> Result<Arguments, anyhow::Result<Outcome>> {
     })
 }
 
-/// Run what was asked for.
-pub fn run(arguments: &Arguments) -> anyhow::Result<Outcome> {
+/// Run what was asked for; without a command, `open_editor` on the scene, if one is named.
+pub fn run(
+    arguments: &Arguments,
+    open_editor: impl FnOnce(Option<&Path>) -> anyhow::Result<Outcome>,
+) -> anyhow::Result<Outcome> {
     match &arguments.command {
         Some(Command::Render(args)) => render::run(args),
         Some(Command::Probe(args)) => probe::run(args),
@@ -87,19 +90,6 @@ pub fn is_broken_pipe(error: &anyhow::Error) -> bool {
         .chain()
         .filter_map(|cause| cause.downcast_ref::<io::Error>())
         .any(|cause| cause.kind() == io::ErrorKind::BrokenPipe)
-}
-
-/// Open the editor on a scene, or on a new one.
-#[cfg(feature = "gui")]
-fn open_editor(scene: Option<&Path>) -> anyhow::Result<Outcome> {
-    crate::editor::run(scene.map(Path::to_owned))?;
-    Ok(Outcome::Done)
-}
-
-/// Say that there is no editor to open.
-#[cfg(not(feature = "gui"))]
-fn open_editor(_scene: Option<&Path>) -> anyhow::Result<Outcome> {
-    anyhow::bail!("this build has no editor; `softbox --help` lists what it can do")
 }
 
 /// A clap error as one line: its message and tips, without usage.
