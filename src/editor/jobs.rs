@@ -115,12 +115,10 @@ impl<I> Inbox<I> {
 }
 
 /// Serve requests until the inbox is closed.
-fn serve<I, O>(
-    inbox: &Inbox<I>,
-    answers: &Sender<Answer<O>>,
-    wake: &dyn Fn(),
-    work: &dyn Fn(I, &AtomicBool, &mut dyn FnMut(O)),
-) {
+fn serve<I, O, W>(inbox: &Inbox<I>, answers: &Sender<Answer<O>>, wake: &dyn Fn(), work: &W)
+where
+    W: Fn(I, &AtomicBool, &mut dyn FnMut(O)),
+{
     while let Some((ticket, request)) = inbox.take() {
         // Nobody listens only when the window is closing; then `take` ends the loop.
         let send = |output| {
