@@ -40,7 +40,7 @@ pub(super) struct Args {
     /// Width and height in pixels.
     #[arg(short, long, default_value = "960x540", value_name = "WxH")]
     size: Size,
-    /// Rays a pixel; 1 goes through its centre.
+    /// Most rays a pixel, where something changes across it; 1 goes through its centre.
     #[arg(long, default_value_t = 16, value_parser = clap::value_parser!(u32).range(1..=i64::from(MAX_SAMPLES)))]
     samples: u32,
     /// Leave shadows out, as all pictures do yet.

@@ -28,6 +28,12 @@ use crate::shading::ShadingPoint;
 /// Edge of the square of pixels that is one piece of work.
 const TILE: u32 = 32;
 
+/// Rays that first look at a pixel.
+const SCOUTS: usize = 4;
+
+/// How far in sRGB steps a pixel's first rays may differ from the first of them and be enough.
+const SAME_LOOK: u8 = 1;
+
 /// How to render.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings {
@@ -35,7 +41,8 @@ pub struct Settings {
     pub size: [u32; 2],
     /// How lights are shaded.
     pub choice: MethodChoice,
-    /// Rays a pixel, at least 1; a single one goes through the pixel's centre.
+    /// Most rays a pixel, at least 1; a single one goes through the pixel's centre. Where nothing changes across a
+    /// pixel, four are used.
     pub samples: u32,
 }
 
@@ -98,6 +105,32 @@ struct Pixel {
     display: DVec3,
 }
 
+impl Pixel {
+    fn add(&mut self, other: Self) {
+        self.radiance += other.radiance;
+        self.display += other.display;
+    }
+
+    fn mean(self, rays: usize) -> Self {
+        let share = (rays as f64).recip();
+        Self { radiance: share * self.radiance, display: share * self.display }
+    }
+}
+
+/// What a ray shows, as an eye would tell it from another.
+#[derive(Clone, Copy)]
+struct Look {
+    thing: Option<Thing>,
+    srgb: [u8; 3],
+}
+
+impl Look {
+    /// Whether both show the same thing, within [`SAME_LOOK`].
+    fn resembles(&self, other: &Self) -> bool {
+        self.thing == other.thing && self.srgb.iter().zip(other.srgb).all(|(a, b)| a.abs_diff(b) <= SAME_LOOK)
+    }
+}
+
 /// Everything that a ray needs to know.
 struct View {
     geometry: Geometry,
@@ -126,22 +159,36 @@ impl View {
 
     /// The mean over a pixel's rays. Each is exposed and tone-mapped before it is averaged, so that the edge of
     /// something far brighter than white stays smooth.
+    ///
+    /// Where the first few rays meet the same thing and look the same, they are enough.
     fn pixel(&self, corner: DVec2) -> Pixel {
+        let (scouts, others) = self.offsets.split_at(SCOUTS.min(self.offsets.len()));
         let mut sum = Pixel::default();
-        for &offset in &self.offsets {
-            let at = corner + offset;
-            let direction = self.camera.ray_direction(at.x, at.y, self.size.x, self.size.y);
-            let radiance = self.radiance(self.camera.eye, direction);
-            sum.radiance += radiance;
-            sum.display += pbr_neutral(expose(radiance, self.exposure_ev));
+        let mut looks: Option<Look> = None;
+        let mut differ = false;
+        for &offset in scouts {
+            let (pixel, thing) = self.ray(corner + offset);
+            let look = Look { thing, srgb: encode_srgb(pixel.display) };
+            differ |= !looks.get_or_insert(look).resembles(&look);
+            sum.add(pixel);
         }
-        let share = (self.offsets.len() as f64).recip();
-        Pixel { radiance: share * sum.radiance, display: share * sum.display }
+        if !differ {
+            return sum.mean(scouts.len());
+        }
+        others.iter().for_each(|&offset| sum.add(self.ray(corner + offset).0));
+        sum.mean(self.offsets.len())
     }
 
-    /// L_out towards the origin of a ray, cd/m².
-    fn radiance(&self, origin: DVec3, direction: DVec3) -> DVec3 {
-        let Some(seen) = self.geometry.nearest(origin, direction) else { return DVec3::ZERO };
+    /// What one ray shows, and what it meets.
+    fn ray(&self, at: DVec2) -> (Pixel, Option<Thing>) {
+        let direction = self.camera.ray_direction(at.x, at.y, self.size.x, self.size.y);
+        let seen = self.geometry.nearest(self.camera.eye, direction);
+        let radiance = seen.map_or(DVec3::ZERO, |seen| self.radiance(&seen, direction));
+        (Pixel { radiance, display: pbr_neutral(expose(radiance, self.exposure_ev)) }, seen.map(|seen| seen.thing))
+    }
+
+    /// L_out of what a ray meets, towards its origin, cd/m².
+    fn radiance(&self, seen: &Seen, direction: DVec3) -> DVec3 {
         match seen.thing {
             Thing::Light(light) => self.lighting.weight(light),
             Thing::Surface(surface) => {
@@ -156,18 +203,26 @@ impl View {
     }
 }
 
-/// Where in a pixel its rays go: the Hammersley set, one in each of `samples` columns and, for powers of two, rows.
+/// Where in a pixel its rays go: the Hammersley set, one in each of `samples` columns and, for powers of two, rows. The
+/// scouts come first, spread over it.
 fn pixel_offsets(samples: u32) -> Vec<DVec2> {
     let samples = samples.max(1);
     let half = 0.5 / f64::from(samples);
-    (0..samples)
+    let mut offsets: Vec<_> = (0..samples)
         .map(|i| {
             let column = f64::from(i) / f64::from(samples);
             // The radical inverse in base 2 lies on multiples of 1/samples when that is a power of two.
             let row = f64::from(i.reverse_bits()) / 2.0_f64.powi(32);
             DVec2::new(column + half, row + half)
         })
-        .collect()
+        .collect();
+    if offsets.len() > SCOUTS {
+        // Of 16 points, the 0th, 5th, 10th and 15th lie in different quarters both ways.
+        for scout in 0..SCOUTS {
+            offsets.swap(scout, scout * (samples as usize - 1) / (SCOUTS - 1));
+        }
+    }
+    offsets
 }
 
 #[cfg(test)]

@@ -119,3 +119,26 @@ fn samples_of_a_pixel_are_stratified_and_one_is_its_centre() {
         }
     }
 }
+
+#[test]
+fn the_first_rays_of_a_pixel_lie_in_different_quarters_both_ways() {
+    for axis in 0..2 {
+        let mut quarters: Vec<_> =
+            pixel_offsets(16)[..SCOUTS].iter().map(|offset| (4.0 * offset[axis]).floor()).collect();
+        quarters.sort_by(f64::total_cmp);
+        assert_eq!(quarters, [0.0, 1.0, 2.0, 3.0], "axis {axis}");
+    }
+}
+
+#[test]
+fn a_pixel_with_an_edge_has_all_its_rays_and_an_even_one_a_few() {
+    let mut scene = furnace(0.0, DVec3::ONE);
+    scene.lights[0].shape = LightShape::Sphere(Sphere { radius: 0.5 });
+    scene.lights[0].quantity = Quantity::new(QuantityKind::Luminance, 100.0);
+    scene.surfaces.clear();
+    // Black or 100 cd/m²: a mean over 16 rays is a multiple of 6.25, one over 4 a multiple of 25.
+    let shares: Vec<_> = picture(&scene, 16).radiance().iter().map(|radiance| radiance.x / 6.25).collect();
+    assert!(shares.iter().all(|share| (share - share.round()).abs() < 1e-9), "{shares:?}");
+    assert!(shares.iter().any(|share| share.round() % 4.0 != 0.0), "no edge had all its rays");
+    assert!(shares.iter().filter(|share| share.round() == 16.0).count() > 20, "the light is in view");
+}
