@@ -11,6 +11,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
+use clap::error::ErrorKind;
 use clap::{Parser, Subcommand};
 
 /// How a command ended when nothing went wrong.
@@ -94,6 +95,12 @@ pub fn is_broken_pipe(error: &anyhow::Error) -> bool {
 
 /// A clap error as one line: its message and tips, without usage.
 fn one_line(error: &clap::Error) -> String {
+    // What is no command is taken for a scene, and what follows it for a command that goes with none.
+    if error.kind() == ErrorKind::ArgumentConflict
+        && let Some(scene) = std::env::args().nth(1)
+    {
+        return format!("`{scene}` is not a command; `softbox --help` lists them");
+    }
     let text = error.render().to_string();
     text.split("\n\n")
         .filter(|paragraph| !paragraph.starts_with("Usage:") && !paragraph.starts_with("For more information"))
