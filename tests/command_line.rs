@@ -261,7 +261,7 @@ fn every_command_of_the_help_is_there() {
     let help = text(&help.stdout);
     let commands = help.split("Commands:").nth(1).and_then(|rest| rest.split("\n\n").next()).expect("commands");
     let commands: Vec<_> = commands.lines().filter_map(|line| line.split_whitespace().next()).collect();
-    for expected in ["render", "probe", "check", "schema", "verify"] {
+    for expected in ["render", "plot", "probe", "check", "schema", "verify"] {
         assert!(commands.contains(&expected), "{expected} is not among {commands:?}");
     }
     for command in commands.into_iter().filter(|command| *command != "help") {
@@ -284,6 +284,73 @@ fn a_reader_that_stops_reading_is_no_error() {
     let output = child.wait_with_output().expect("the program ends");
     check_done(&output);
     assert_eq!(text(&output.stderr), "", "it says nothing");
+}
+
+/// A scene with three plots.
+const PLOTTED: &str = "presets/scenes/first-light.toml";
+
+#[test]
+fn plots_are_written_as_svg_png_and_csv() {
+    let folder = folder();
+    let file = |name: &str| {
+        let output = folder.path().join(name);
+        check_done(&run(&["plot", PLOTTED, "-o", shown(&output)]));
+        fs::read(&output).expect("the plot is there")
+    };
+    let svg = file("a.svg");
+    let scene = softbox::scene::load(PLOTTED).expect("the scene loads");
+    assert!(scene.plots.len() > 1, "a scene with several plots");
+    for plot in &scene.plots {
+        assert!(text(&svg).contains(&plot.name), "the SVG has no {}", plot.name);
+    }
+    let png = image::load_from_memory(&file("a.png")).expect("a picture").into_rgb8();
+    let inked = png.pixels().filter(|pixel| pixel.0 != [255; 3]).count();
+    assert!(inked > 20_000, "only {inked} of {} x {} pixels are inked", png.width(), png.height());
+    assert_eq!(names(folder.path()).len(), 2, "nothing else is left");
+}
+
+#[test]
+fn a_plot_as_csv_has_the_values_of_probe() {
+    let folder = folder();
+    let output = folder.path().join("a.csv");
+    let scene = softbox::scene::load(PLOTTED).expect("the scene loads");
+    let plot = &scene.plots[0];
+    check_done(&run(&["plot", PLOTTED, "--plot", &plot.name, "-o", shown(&output)]));
+    let table = fs::read_to_string(&output).expect("the table is there");
+    let mut lines = table.lines();
+    assert_eq!(lines.next(), Some("plot,x,method,y,error,bound"), "the header");
+    let rows: Vec<Vec<_>> = lines.map(|line| line.split(',').collect()).collect();
+    assert!(rows.iter().all(|row| row[0] == plot.name), "only the plot asked for");
+    let of = |method: &str| rows.iter().filter(|row| row[2] == method).collect::<Vec<_>>();
+    let (exact, point, reference) = (of("exact"), of("point"), of("reference"));
+    assert!(exact.len() > 100 && point.len() == exact.len() && reference.len() == exact.len(), "{} rows", rows.len());
+    let number = |text: &str| text.parse::<f64>().expect("a number");
+    for (exact, point) in exact.iter().zip(&point) {
+        assert_eq!(number(point[4]), number(point[3]) - number(exact[3]), "the error at {}", exact[1]);
+        assert_eq!([exact[5], point[5]], [""; 2], "only the reference has a bound");
+    }
+    for row in [reference[0], reference[reference.len() / 2]] {
+        assert!(number(row[4]).abs() <= number(row[5]) + 1e-9 * number(row[3]), "{row:?}");
+    }
+    // The plot tilts a probe that is seen along its normal; its lights' tints are left out.
+    let middle = exact[exact.len() / 2];
+    let at = softbox::analysis::probe(plot, number(middle[1]));
+    let [p, n, v] = [at.p, at.n, at.v].map(|v| format!("{},{},{}", v.x, v.y, v.z));
+    let rows = answer(&probe(PLOTTED, &format!("{POINTS_HEADER}\n{p},{n},{v}\n"), &[]));
+    let rgb = &rows[0].1[3..6];
+    let luminance = softbox::light::luminance_of(glam::DVec3::new(rgb[0], rgb[1], rgb[2]));
+    assert!((luminance / number(middle[3]) - 1.0).abs() < 1e-9, "{luminance} lx is not {}", middle[3]);
+}
+
+#[test]
+fn plot_refuses_bad_use_before_any_work() {
+    let folder = folder();
+    let output = folder.path().join("a.svg");
+    check_refused(&["plot", PLOTTED, "-o", "a.pdf"], ".svg, .png or .csv");
+    check_refused(&["plot", PLOTTED, "--plot", "none such", "-o", shown(&output)], "tilt under the window");
+    check_refused(&["plot", WINDOW, "-o", shown(&output)], "has no plots");
+    check_refused(&["plot", PLOTTED, "-o", "/nowhere/a.svg"], "cannot be written");
+    assert!(names(folder.path()).is_empty(), "a refused run leaves no file");
 }
 
 /// Ctrl-C while a picture is rendered: status 130, and the old file is all there is.

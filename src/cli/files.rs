@@ -38,7 +38,8 @@ pub(super) fn format<F: Copy>(path: &Path, formats: &[(&str, F)]) -> anyhow::Res
     let named = formats.iter().find(|(name, _)| extension.as_deref() == Some(*name));
     let Some((_, format)) = named else {
         let names: Vec<_> = formats.iter().map(|(name, _)| format!(".{name}")).collect();
-        bail!("{}: the name of the output must end in {}", path.display(), names.join(" or "));
+        let (last, others) = names.split_last().map_or(("", &[][..]), |(last, others)| (last.as_str(), others));
+        bail!("{}: the name of the output must end in {} or {last}", path.display(), others.join(", "));
     };
     Ok(*format)
 }

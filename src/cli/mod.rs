@@ -2,6 +2,7 @@
 
 mod check;
 mod files;
+mod plot;
 mod probe;
 mod render;
 mod schema;
@@ -51,6 +52,7 @@ pub struct Arguments {
 #[derive(Debug, Subcommand)]
 enum Command {
     Render(render::Args),
+    Plot(plot::Args),
     Probe(probe::Args),
     Check(check::Args),
     Verify(verify::Args),
@@ -77,6 +79,7 @@ pub fn run(
 ) -> anyhow::Result<Outcome> {
     match &arguments.command {
         Some(Command::Render(args)) => render::run(args),
+        Some(Command::Plot(args)) => plot::run(args),
         Some(Command::Probe(args)) => probe::run(args),
         Some(Command::Check(args)) => check::run(args),
         Some(Command::Verify(args)) => verify::run(args),

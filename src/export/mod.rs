@@ -1,4 +1,6 @@
 //! What leaves the program: one file a format. Every writer gives bytes; putting them in a file is up to the caller.
 
+pub mod csv;
 pub mod exr;
 pub mod png;
+pub mod svg;

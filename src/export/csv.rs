@@ -1,0 +1,34 @@
+//! Plots as CSV, one row a point of a curve.
+
+use csv::Writer;
+
+use crate::analysis::Curves;
+use crate::scene::Plot;
+
+/// The columns: `bound` is the reference's error bound, empty for other methods.
+const HEADER: [&str; 6] = ["plot", "x", "method", "y", "error", "bound"];
+
+/// The curves of plots, each number with the 17 digits that bring it back to the last bit.
+///
+/// # Errors
+///
+/// None but what the writer of CSV states.
+pub fn plots(plots: &[(&Plot, Curves)]) -> csv::Result<Vec<u8>> {
+    let mut rows = Writer::from_writer(Vec::new());
+    rows.write_record(HEADER)?;
+    for (plot, curves) in plots {
+        for series in &curves.series {
+            let method = series.method.to_string();
+            for (i, x) in curves.x.iter().enumerate() {
+                let bound = series.band.as_ref().map_or_else(String::new, |band| number(band[i]));
+                let record = [&plot.name, &number(*x), &method, &number(series.y[i]), &number(series.error[i]), &bound];
+                rows.write_record(record)?;
+            }
+        }
+    }
+    rows.into_inner().map_err(|error| error.into_error().into())
+}
+
+fn number(value: f64) -> String {
+    format!("{value:.16e}")
+}

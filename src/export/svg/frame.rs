@@ -1,0 +1,118 @@
+//! Axes with a grid, and curves in them.
+
+use std::fmt::Write as _;
+
+use super::axis::Axis;
+use super::pen::Pen;
+use super::{GRID, WEAK, escaped, number};
+use crate::shading::Method;
+
+/// Distance of an ordinate's name from the axis.
+const NAME_OFFSET: f64 = 60.0;
+
+/// A pair of axes.
+pub(super) struct Frame {
+    pub(super) x: Axis,
+    pub(super) y: Axis,
+    /// Name of the region that curves are cut off at, unique in the picture.
+    pub(super) clip: String,
+}
+
+impl Frame {
+    /// Grid lines and numbers; those of the abscissa are optional.
+    pub(super) fn grid(&self, svg: &mut String, numbers_below: bool) {
+        let ([left, right], [bottom, top]) = (self.x.sides, self.y.sides);
+        let (width, height) = (right - left, bottom - top);
+        let clip = &self.clip;
+        let region = format!("x=\"{left}\" y=\"{top}\" width=\"{width}\" height=\"{height}\"");
+        let _ = writeln!(svg, "<clipPath id=\"{clip}\"><rect {region}/></clipPath>");
+        for tick in self.x.ticks(8.0) {
+            let Some(x) = self.x.at(tick.value) else { continue };
+            let _ = writeln!(svg, "<path d=\"M{x:.2} {bottom}V{top}\" stroke=\"{GRID}\"/>");
+            if numbers_below {
+                let y = bottom + 16.0;
+                let _ =
+                    writeln!(svg, "<text x=\"{x:.2}\" y=\"{y}\" text-anchor=\"middle\">{}</text>", number(&tick.label));
+            }
+        }
+        for tick in self.y.ticks(if height > 200.0 { 6.0 } else { 4.0 }) {
+            let Some(y) = self.y.at(tick.value) else { continue };
+            let (x, baseline) = (left - 7.0, y + 4.0);
+            let stroke = if tick.value.abs() > 0.0 { GRID } else { WEAK };
+            let _ = writeln!(svg, "<path d=\"M{left} {y:.2}H{right}\" stroke=\"{stroke}\" stroke-width=\"0.8\"/>");
+            let _ =
+                writeln!(svg, "<text x=\"{x}\" y=\"{baseline:.2}\" text-anchor=\"end\">{}</text>", number(&tick.label));
+        }
+    }
+
+    /// The frame itself, above the curves.
+    pub(super) fn outline(&self, svg: &mut String) {
+        let ([left, right], [bottom, top]) = (self.x.sides, self.y.sides);
+        let path = format!("M{left} {top}H{right}V{bottom}H{left}Z");
+        let _ = writeln!(svg, "<path d=\"{path}\" fill=\"none\" stroke=\"{WEAK}\" stroke-width=\"0.8\"/>");
+    }
+
+    /// The name of the ordinate, along it.
+    pub(super) fn label(&self, svg: &mut String, text: &str) {
+        let (x, y) = (self.x.sides[0] - NAME_OFFSET, f64::midpoint(self.y.sides[0], self.y.sides[1]));
+        let place = format!("transform=\"translate({x} {y}) rotate(-90)\" text-anchor=\"middle\" font-size=\"13\"");
+        let _ = writeln!(svg, "<text {place}>{}</text>", escaped(text));
+    }
+
+    /// The name of the abscissa, beneath it.
+    pub(super) fn label_x(&self, svg: &mut String, text: &str) {
+        let (x, y) = (f64::midpoint(self.x.sides[0], self.x.sides[1]), self.y.sides[0] + 36.0);
+        let _ =
+            writeln!(svg, "<text x=\"{x}\" y=\"{y}\" text-anchor=\"middle\" font-size=\"13\">{}</text>", escaped(text));
+    }
+
+    /// A method's curve with its band.
+    pub(super) fn curve(&self, svg: &mut String, method: Method, x: &[f64], y: &[f64], band: Option<&[f64]>) {
+        let clip = format!("clip-path=\"url(#{})\"", self.clip);
+        if let Some(band) = band {
+            let edge = |sign: f64| y.iter().zip(band).map(|(y, band)| y + sign * band).collect::<Vec<_>>();
+            let (low, high) = (edge(-1.0), edge(1.0));
+            let outline: Vec<_> = self.points(x, &high).chain(self.points(x, &low).rev()).flatten().collect();
+            let color = Pen::of(method).color;
+            let _ = writeln!(
+                svg,
+                "<path d=\"{}Z\" fill=\"{color}\" fill-opacity=\"0.3\" {clip}/>",
+                path(outline.into_iter().map(Some))
+            );
+        }
+        let _ = writeln!(svg, "<path d=\"{}\" {} {clip}/>", path(self.points(x, y)), stroke(method));
+    }
+
+    /// Where the points of a curve lie, none for those without a place. Those far outside are brought near, since
+    /// renderers do not cope with just any number.
+    fn points<'a>(&'a self, x: &'a [f64], y: &'a [f64]) -> impl DoubleEndedIterator<Item = Option<[f64; 2]>> + 'a {
+        let [bottom, top] = self.y.sides;
+        let height = bottom - top;
+        let near = move |y: f64| y.is_finite().then(|| y.clamp(top - 20.0 * height, bottom + 20.0 * height));
+        x.iter().zip(y).map(move |(x, y)| Some([self.x.at(*x)?, near(self.y.at(*y)?)?]))
+    }
+}
+
+/// A path through points, which begins anew after those that are missing.
+fn path(points: impl Iterator<Item = Option<[f64; 2]>>) -> String {
+    let mut path = String::new();
+    let mut drawing = false;
+    for point in points {
+        if let Some([x, y]) = point {
+            let _ = write!(path, "{}{x:.2} {y:.2}", if drawing { "L" } else { "M" });
+        }
+        drawing = point.is_some();
+    }
+    path
+}
+
+/// The attributes of a method's line.
+pub(super) fn stroke(method: Method) -> String {
+    let width = if method == Method::Exact { 2.4 } else { 1.7 };
+    let Pen { color, dashes } = Pen::of(method);
+    let mut stroke = format!("fill=\"none\" stroke=\"{color}\" stroke-width=\"{width}\" stroke-linejoin=\"round\"");
+    if !dashes.is_empty() {
+        let _ = write!(stroke, " stroke-dasharray=\"{dashes}\"");
+    }
+    stroke
+}
