@@ -1,6 +1,11 @@
-//! `softbox verify`: reference cases through the f64 core.
+//! `softbox verify`: reference cases through the f64 core, and through the preview's functions on the GPU.
 
 mod cases;
+#[cfg(feature = "gpu")]
+mod gpu;
+#[cfg(not(feature = "gpu"))]
+#[path = "verify/no_gpu.rs"]
+mod gpu;
 mod table;
 
 use std::path::PathBuf;
@@ -8,16 +13,21 @@ use std::path::PathBuf;
 use anyhow::Context as _;
 
 use self::cases::{Case, Check, ReferenceFile};
+use self::gpu::Device;
 use self::table::{Row, Verdict};
 use super::Outcome;
-use crate::shading::reference::reference;
-use crate::shading::{Method, respond};
+use crate::shading::Method;
 
 /// Judge every method by reference cases.
 ///
 /// Prints a row a file and method. Exact methods must hold 1e-10 of the value (and 50 roundings of the inputs) plus
 /// 1e-13 of the scale; the reference must hold its own bound, and that 1e-6 of the value plus 1e-9 of the scale;
 /// approximations are only measured. Exit status 1 when a case is out of bounds or a model is not built.
+///
+/// Rows `exact (gpu)` run the preview's functions on inputs rounded to f32 about p; they must hold 1e-4 of what the f64
+/// core makes of the same inputs, plus 1e-6 of the scale. Where p is within 5e-5 of a polygon's reach of its plane, f32
+/// does not hold that for specular highlights: such cases are counted in a row `exact (gpu), grazing`, and only
+/// measured. Bare caps (subhemi) have no row: the preview has spheres.
 #[derive(Debug, clap::Args)]
 pub(super) struct Args {
     /// Reference files, JSON of the schema area-light-reference/1.
@@ -26,59 +36,104 @@ pub(super) struct Args {
     /// Only files of this model; may be given several times.
     #[arg(long = "model", value_name = "NAME")]
     models: Vec<String>,
+    /// Fail where there is no graphics adapter, rather than leave the GPU's rows out.
+    #[arg(long)]
+    gpu: bool,
+    /// Leave the GPU's rows out.
+    #[arg(long, conflicts_with = "gpu")]
+    no_gpu: bool,
 }
+
+/// A check, with its case and the case's name.
+type Question<'a> = (&'a str, &'a Case, Check);
 
 /// Runs the cases and prints the table.
 pub(super) fn run(args: &Args) -> anyhow::Result<Outcome> {
-    let mut rows = Vec::new();
+    let mut files = Vec::new();
     for path in &args.files {
         let file = ReferenceFile::read(path)?;
-        if !args.models.is_empty() && !args.models.contains(&file.model) {
-            continue;
+        if args.models.is_empty() || args.models.contains(&file.model) {
+            files.push((path, file));
         }
-        rows.extend(judge(&file).with_context(|| path.display().to_string())?);
     }
-    if rows.is_empty() {
+    if files.is_empty() {
         anyhow::bail!("none of the files has the model {}", args.models.join(" or "));
+    }
+    let mut asked = Vec::new();
+    for (path, file) in &files {
+        asked.push(questions(file).with_context(|| path.display().to_string())?);
+    }
+    let device = if asked.iter().any(Option::is_some) { device(args)? } else { None };
+    let mut rows = Vec::new();
+    for ((_, file), questions) in files.iter().zip(&asked) {
+        let Some(questions) = questions else {
+            rows.push(Row::not_built(&file.model));
+            continue;
+        };
+        rows.extend(judge(questions));
+        if let Some(device) = &device {
+            rows.extend(device.rows(questions)?);
+        }
     }
     print!("{}", table::render(&rows));
     let passed = rows.iter().all(|row| matches!(row.verdict(), Verdict::Right | Verdict::Measured));
     Ok(if passed { Outcome::Done } else { Outcome::No })
 }
 
-/// The rows of a file.
-fn judge(file: &ReferenceFile) -> anyhow::Result<Vec<Row>> {
-    let mut rows: Vec<Row> = Vec::new();
-    for case in &file.cases {
-        let Some(checks) = cases::checks(&file.model, case).with_context(|| case.id.clone())? else {
-            return Ok(vec![Row::not_built(&file.model)]);
-        };
-        for check in checks {
-            judge_case(case, &check, &mut rows);
+/// The device, unless it is not wanted, or not needed and not there.
+fn device(args: &Args) -> anyhow::Result<Option<Device>> {
+    if args.no_gpu {
+        return Ok(None);
+    }
+    match Device::new() {
+        Ok(device) => Ok(Some(device)),
+        Err(error) if args.gpu => Err(error),
+        Err(error) => {
+            eprintln!("softbox: the GPU's rows are left out: {error}");
+            Ok(None)
         }
     }
-    Ok(rows)
 }
 
-/// Adds each method's answer to a case to its row.
-fn judge_case(case: &Case, check: &Check, rows: &mut Vec<Row>) {
+/// What the cases of a file ask; `None` for a model that is not built.
+fn questions(file: &ReferenceFile) -> anyhow::Result<Option<Vec<Question<'_>>>> {
+    let mut questions = Vec::new();
+    for case in &file.cases {
+        let Some(checks) = cases::checks(&file.model, case).with_context(|| case.id.clone())? else {
+            return Ok(None);
+        };
+        questions.extend(checks.into_iter().map(|check| (case.id.as_str(), case, check)));
+    }
+    Ok(Some(questions))
+}
+
+/// The rows of the f64 core.
+fn judge(questions: &[Question<'_>]) -> Vec<Row> {
+    let mut rows = Vec::new();
+    for (id, case, check) in questions {
+        judge_case(id, case.rounding(), check, &mut rows);
+    }
+    rows
+}
+
+/// Adds each method's answer to its row.
+fn judge_case(id: &str, rounding: f64, check: &Check, rows: &mut Vec<Row>) {
     let (expected, scale) = (check.expected, check.scale);
+    let rounding = 50.0 * rounding * expected.abs();
     for &method in check.methods() {
-        let value = check.part.of(&respond(&check.emitter, method, &check.at, &check.lobe)) * check.factor;
+        let value = check.value(method);
         let row = row_of(rows, check.name, &method.to_string());
         if method == Method::Exact {
-            let bound = (1e-10 + 50.0 * case.rounding()) * expected.abs() + 1e-13 * scale;
-            row.judged(&case.id, value, expected, bound);
+            row.judged(id, value, expected, 1e-10 * expected.abs() + rounding + 1e-13 * scale);
         } else {
-            row.measured(&case.id, value, expected);
+            row.measured(id, value, expected);
         }
     }
-    let estimate = check.part.of_bounded(&reference(&check.emitter, &check.at, &check.lobe)) * check.factor;
+    let estimate = check.estimate();
     // A bound that is too wide counts like an error that is.
     let allowed = 1e-6 * expected.abs() + 1e-9 * scale;
-    let rounding = 50.0 * case.rounding() * expected.abs();
     let bound = if estimate.error <= allowed { estimate.error + rounding } else { 0.0 };
-    row_of(rows, check.name, "reference").judged(&case.id, estimate.value, expected, bound);
+    row_of(rows, check.name, "reference").judged(id, estimate.value, expected, bound);
 }
 
 /// The row of a model and a method, made where there is none yet.

@@ -1,5 +1,7 @@
 //! WGSL functions over tables of rows, to be compared with their f64 twins on the same inputs.
 
+pub mod cases;
+
 use std::fmt;
 
 use glam::DVec3;
@@ -137,16 +139,20 @@ pub fn rounded_number(x: f64) -> f64 {
     f32_of(x).into()
 }
 
-/// How much of the error that is allowed on the GPU an answer uses up: |x − expected| / (1e-4·|expected| + 1e-6·scale).
+/// The error that is allowed on the GPU: 1e-4·|expected| + 1e-6·scale.
+pub fn bound(expected: f64, scale: f64) -> f64 {
+    1e-4 * expected.abs() + 1e-6 * scale
+}
+
+/// How much of its [`bound`] an answer's error uses up.
 ///
 /// At most 1 is right; not finite is infinitely wrong.
 pub fn share_of_bound(x: f32, expected: f64, scale: f64) -> f64 {
-    let bound = 1e-4 * expected.abs() + 1e-6 * scale;
     let error = (f64::from(x) - expected).abs();
     if !error.is_finite() {
         f64::INFINITY
     } else if error > 0.0 {
-        error / bound
+        error / bound(expected, scale)
     } else {
         0.0
     }

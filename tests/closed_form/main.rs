@@ -7,3 +7,4 @@ mod properties;
 mod random;
 mod reference;
 mod sphere;
+mod verify;

@@ -11,6 +11,7 @@ mod twins;
 mod twins_of_lines;
 mod twins_of_polygons;
 mod twins_of_spheres;
+mod verify;
 
 use std::sync::LazyLock;
 

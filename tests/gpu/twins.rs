@@ -1,18 +1,12 @@
 //! Every WGSL shading function against its f64 twin on the same rounded inputs.
 
 use glam::DVec3;
+use softbox::gpu::twin::cases::Case;
 use softbox::gpu::twin::{self, Function, Row, Twin, rounded, rounded_number, share_of_bound};
 use softbox::shading::PhongLobe;
 use softbox::shading::point::falloff_response;
 
 use crate::CONTEXT;
-
-/// Inputs, the f64 answer on them, and the scale of the case.
-pub(crate) struct Case {
-    pub(crate) row: Row,
-    pub(crate) expected: f64,
-    pub(crate) scale: f64,
-}
 
 /// All cases are within the bound, and with `error` planted in the WGSL, as (from, to), some are not.
 #[track_caller]

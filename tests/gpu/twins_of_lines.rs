@@ -1,13 +1,14 @@
 //! The WGSL of linear lights against `shading::line`.
 
 use glam::DVec3;
+use softbox::gpu::twin::cases::{Case, line_irradiance_case, line_phong_case, line_scale};
 use softbox::gpu::twin::{self, Row, rounded, rounded_number};
 use softbox::light::LineEmitter;
-use softbox::shading::line::{line_irradiance, line_phong, respond};
+use softbox::shading::line::respond;
 use softbox::shading::{Method, PhongLobe, ShadingPoint};
 
 use crate::cases;
-use crate::twins::{Case, Random, check};
+use crate::twins::{Random, check};
 
 /// A line about p, and what looks at it; rounded to f32.
 struct Inputs {
@@ -33,14 +34,6 @@ impl Inputs {
         Self { light, n: random.direction(), r: random.direction(), m: random.exponent() }
     }
 
-    /// |B−A|/dᶠ, d the least distance from p.
-    fn scale(&self) -> f64 {
-        let LineEmitter { a, b, falloff } = self.light;
-        let along = b - a;
-        let t = (-a.dot(along) / along.length_squared()).clamp(0.0, 1.0);
-        along.length() / (a + t * along).length().powf(falloff)
-    }
-
     /// Not seen end on, where rounding decides which end is nearer to r and in which plane the lobe is fitted; nor
     /// longer than 1000 times its distance, which f32 knows to 1e-4 only.
     fn is_plain(&self) -> bool {
@@ -54,13 +47,11 @@ impl Inputs {
     }
 
     fn irradiance(&self) -> Case {
-        let expected = line_irradiance(&self.light, DVec3::ZERO, self.n);
-        Case { row: self.row().number(self.light.falloff), expected, scale: self.scale() }
+        line_irradiance_case(&self.light, DVec3::ZERO, self.n)
     }
 
     fn phong(&self) -> Case {
-        let expected = line_phong(&self.light, DVec3::ZERO, self.n, self.r, self.m);
-        Case { row: self.row().vector(self.r).number(self.m).number(self.light.falloff), expected, scale: self.scale() }
+        line_phong_case(&self.light, DVec3::ZERO, self.n, self.r, self.m)
     }
 
     /// The specular response by a method.
@@ -74,7 +65,11 @@ impl Inputs {
     fn chebyshev(&self) -> Case {
         let lobe = PhongLobe::new(self.m);
         let expected = self.specular(Method::Chebyshev, &lobe) / lobe.normalisation();
-        Case { row: self.row().vector(self.r).number(self.light.falloff).lobe(lobe), expected, scale: self.scale() }
+        Case {
+            row: self.row().vector(self.r).number(self.light.falloff).lobe(lobe),
+            expected,
+            scale: line_scale(&self.light),
+        }
     }
 
     fn nearest_point(&self) -> Case {
@@ -82,7 +77,7 @@ impl Inputs {
         Case {
             row: self.row().vector(self.r).number(self.m).number(self.light.falloff),
             expected: self.specular(Method::NearestPoint, &lobe),
-            scale: self.scale() * lobe.normalisation(),
+            scale: line_scale(&self.light) * lobe.normalisation(),
         }
     }
 }

@@ -1,18 +1,15 @@
 //! The WGSL of spherical lights against `shading::sphere`.
 
-use std::f64::consts::{PI, TAU};
-
 use glam::DVec3;
+use softbox::gpu::twin::cases::{Case, lobe_scale, sphere_irradiance_case, sphere_phong_case, sphere_solid_angle};
 use softbox::gpu::twin::{self, Row, rounded, rounded_number};
 use softbox::light::SphereEmitter;
 use softbox::shading::cluster::sphere_cluster;
-use softbox::shading::sphere::{
-    Cap, cap_irradiance_hermite_1, cap_irradiance_hermite_2, sphere_irradiance, sphere_phong,
-};
+use softbox::shading::sphere::{Cap, cap_irradiance_hermite_1, cap_irradiance_hermite_2};
 use softbox::shading::{PhongLobe, ShadingPoint};
 
 use crate::cases;
-use crate::twins::{Case, Random, check};
+use crate::twins::{Random, check};
 
 /// A sphere about p, and what looks at it; rounded to f32.
 struct Inputs {
@@ -62,18 +59,17 @@ impl Inputs {
         Row::default().vector(self.light.center).number(self.light.radius)
     }
 
-    fn irradiance(&self, expected: f64) -> Case {
-        Case { row: self.row().vector(self.n), expected, scale: self.cap().solid_angle().min(PI) }
-    }
-
-    fn phong_scale(&self) -> f64 {
-        ((self.m + 1.0) / TAU * self.cap().solid_angle()).min(1.0)
+    fn irradiance(&self) -> Case {
+        sphere_irradiance_case(&self.light, DVec3::ZERO, self.n)
     }
 
     fn phong(&self) -> Case {
-        let expected = sphere_phong(&self.light, DVec3::ZERO, self.n(), self.r(), self.m);
-        let row = self.row().vector(self.n).vector(self.r).number(self.m);
-        Case { row, expected, scale: self.phong_scale() }
+        sphere_phong_case(&self.light, DVec3::ZERO, self.n, self.r, self.m)
+    }
+
+    /// A fit on the inputs of the irradiance.
+    fn fit(&self, fit: impl Fn(&Cap, DVec3) -> f64) -> Case {
+        Case { expected: fit(&self.cap(), self.n()), ..self.irradiance() }
     }
 
     fn cluster(&self, count: u32) -> Case {
@@ -81,7 +77,7 @@ impl Inputs {
         let at = ShadingPoint { p: DVec3::ZERO, n, v: 2.0 * n.dot(r) * n - r };
         let expected = sphere_cluster(&self.light, count, &at, &PhongLobe::new(self.m)).specular;
         let row = self.row().number(count.into()).vector(self.n).vector(self.r).number(self.m);
-        Case { row, expected, scale: self.phong_scale() }
+        Case { row, expected, scale: lobe_scale(sphere_solid_angle(&self.light), self.m) }
     }
 }
 
@@ -94,17 +90,16 @@ fn irradiance_inputs(seed: u64) -> Vec<Inputs> {
 
 #[test]
 fn irradiance_of_a_sphere_matches() {
-    let exact = |inputs: &Inputs| inputs.irradiance(sphere_irradiance(&inputs.light, DVec3::ZERO, inputs.n()));
-    let cases: Vec<_> = irradiance_inputs(21).iter().map(exact).collect();
+    let cases: Vec<_> = irradiance_inputs(21).iter().map(Inputs::irradiance).collect();
     check(&twin::SPHERE_IRRADIANCE, ("square * beta", "square * beta * 1.001"), &cases);
 }
 
 #[test]
 fn hermite_fits_match() {
-    let one = |inputs: &Inputs| inputs.irradiance(cap_irradiance_hermite_1(&inputs.cap(), inputs.n()));
+    let one = |inputs: &Inputs| inputs.fit(cap_irradiance_hermite_1);
     let cases: Vec<_> = irradiance_inputs(22).iter().map(one).collect();
     check(&twin::SPHERE_IRRADIANCE_HERMITE_1, ("3.0 * rise", "3.01 * rise"), &cases);
-    let two = |inputs: &Inputs| inputs.irradiance(cap_irradiance_hermite_2(&inputs.cap(), inputs.n()));
+    let two = |inputs: &Inputs| inputs.fit(cap_irradiance_hermite_2);
     let cases: Vec<_> = irradiance_inputs(23).iter().map(two).collect();
     check(&twin::SPHERE_IRRADIANCE_HERMITE_2, ("3.0 * rise", "3.01 * rise"), &cases);
 }

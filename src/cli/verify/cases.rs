@@ -1,6 +1,6 @@
 //! Reference files of the schema `area-light-reference/1`, and what a case of each model asks.
 
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_PI_2, PI};
 use std::path::Path;
 
 use anyhow::{Context as _, bail, ensure};
@@ -10,8 +10,11 @@ use serde::Deserialize;
 use crate::light::{Emitter, LineEmitter, PolygonEmitter, SphereEmitter};
 use crate::math::quadrature::Estimate;
 use crate::math::spherical::triangle_solid_angle;
-use crate::shading::reference::BoundedResponse;
-use crate::shading::{Method, PhongLobe, Response, ShadingPoint};
+use crate::shading::reference::{BoundedResponse, Kernel, cap_reference, reference};
+use crate::shading::sphere::{
+    Cap, cap_irradiance, cap_irradiance_hermite_1, cap_irradiance_hermite_2, cap_phong_lobe_only,
+};
+use crate::shading::{Method, PhongLobe, Response, ShadingPoint, respond};
 
 const SCHEMA: &str = "area-light-reference/1";
 
@@ -41,10 +44,12 @@ struct Inputs {
     p: Option<DVec3>,
     N: Option<DVec3>,
     R: Option<DVec3>,
+    L: Option<DVec3>,
     A: Option<DVec3>,
     B: Option<DVec3>,
     center: Option<DVec3>,
     radius: Option<f64>,
+    sigma: Option<f64>,
     n: Option<f64>,
     decay: Option<f64>,
     vertices: Option<Vec<DVec3>>,
@@ -55,7 +60,7 @@ struct Inputs {
 pub(super) struct Check {
     /// The model, as the table names it.
     pub(super) name: &'static str,
-    pub(super) emitter: Emitter,
+    pub(super) light: Light,
     pub(super) at: ShadingPoint,
     pub(super) lobe: PhongLobe,
     /// Which part of the response is asked for, and what it is multiplied by to be in the file's normalisation.
@@ -66,6 +71,17 @@ pub(super) struct Check {
     pub(super) scale: f64,
 }
 
+/// What shines.
+#[derive(Clone, Debug)]
+pub(super) enum Light {
+    Emitter(Emitter),
+    /// The directions within an angle of a centre; p does not matter.
+    Cap {
+        center: DVec3,
+        half_angle: f64,
+    },
+}
+
 /// A part of a response.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Part {
@@ -74,14 +90,14 @@ pub(super) enum Part {
 }
 
 impl Part {
-    pub(super) fn of(self, response: &Response) -> f64 {
+    fn of(self, response: &Response) -> f64 {
         match self {
             Self::Irradiance => response.irradiance,
             Self::Specular => response.specular,
         }
     }
 
-    pub(super) fn of_bounded(self, response: &BoundedResponse) -> Estimate {
+    fn of_bounded(self, response: &BoundedResponse) -> Estimate {
         match self {
             Self::Irradiance => response.irradiance,
             Self::Specular => response.specular,
@@ -147,22 +163,34 @@ impl Inputs {
         ensure!(radius > 0.0, "input `radius` is {radius}, not positive");
         Ok(SphereEmitter { center: Self::vector(self.center, "center")?, radius })
     }
+
+    fn cap(&self) -> anyhow::Result<Light> {
+        let half_angle = Self::number(self.sigma, "sigma")?;
+        ensure!((0.0..=FRAC_PI_2).contains(&half_angle), "input `sigma` is {half_angle}, not from 0 to π/2");
+        Ok(Light::Cap { center: Self::direction(self.L, "L")?, half_angle })
+    }
 }
 
 /// What a case of a model asks; `None` for a model that is not built.
 pub(super) fn checks(model: &str, case: &Case) -> anyhow::Result<Option<Vec<Check>>> {
     let inputs = &case.inputs;
-    let emitter = match model {
-        "polygon_lambert" | "polygon_phong" | "polygon_phong_nclip" => Emitter::Polygon(inputs.polygon()?),
-        "linear_diffuse" => Emitter::Line(inputs.line(Inputs::number(inputs.decay, "decay")?)?),
-        "linear_phong" => Emitter::Line(inputs.line(2.0)?),
-        "sphere_lambert" | "sphere_phong" => Emitter::Sphere(inputs.sphere()?),
+    let light = match model {
+        "polygon_lambert" | "polygon_phong" | "polygon_phong_nclip" => {
+            Light::Emitter(Emitter::Polygon(inputs.polygon()?))
+        }
+        "linear_diffuse" => Light::Emitter(Emitter::Line(inputs.line(Inputs::number(inputs.decay, "decay")?)?)),
+        "linear_phong" => Light::Emitter(Emitter::Line(inputs.line(2.0)?)),
+        "sphere_lambert" | "sphere_phong" => Light::Emitter(Emitter::Sphere(inputs.sphere()?)),
+        "subhemi_lambert" | "subhemi_phong" => inputs.cap()?,
         _ => return Ok(None),
     };
-    let p = Inputs::vector(inputs.p, "p")?;
+    let p = match light {
+        Light::Emitter(_) => Inputs::vector(inputs.p, "p")?,
+        Light::Cap { .. } => DVec3::ZERO,
+    };
     let facing = |name, axis: DVec3, expected| {
         let at = ShadingPoint { p, n: axis, v: axis };
-        check(name, emitter.clone(), at, expected)
+        check(name, light.clone(), at, expected)
     };
     let diffuse = |name| Ok::<_, anyhow::Error>(facing(name, Inputs::direction(inputs.N, "N")?, case.expected));
     // With the lobe's axis for a normal there is no second horizon.
@@ -172,7 +200,7 @@ pub(super) fn checks(model: &str, case: &Case) -> anyhow::Result<Option<Vec<Chec
     let above_surface = |name, expected| -> anyhow::Result<Check> {
         let (n, r) = (Inputs::direction(inputs.N, "N")?, Inputs::direction(inputs.R, "R")?);
         let at = ShadingPoint { p, n, v: 2.0 * n.dot(r) * n - r };
-        Ok(check(name, emitter.clone(), at, expected).specular(inputs.exponent()?))
+        Ok(check(name, light.clone(), at, expected).specular(inputs.exponent()?))
     };
     Ok(Some(match model {
         "polygon_lambert" => vec![diffuse("polygon_lambert")?],
@@ -185,25 +213,27 @@ pub(super) fn checks(model: &str, case: &Case) -> anyhow::Result<Option<Vec<Chec
         }
         "sphere_lambert" => vec![diffuse("sphere_lambert")?],
         "sphere_phong" => vec![lobe_only("sphere_phong")?],
+        "subhemi_lambert" => vec![diffuse("subhemi_lambert")?],
+        "subhemi_phong" => vec![lobe_only("subhemi_phong")?],
         other => bail!("no inputs for the model `{other}`"),
     }))
 }
 
 /// A diffuse check in the file's normalisation.
-fn check(name: &'static str, emitter: Emitter, at: ShadingPoint, expected: f64) -> Check {
-    let is_line = matches!(emitter, Emitter::Line(_));
+fn check(name: &'static str, light: Light, at: ShadingPoint, expected: f64) -> Check {
+    let is_line = matches!(light, Light::Emitter(Emitter::Line(_)));
     let factor = if is_line { 1.0 } else { PI.recip() };
-    let size = size(&emitter, at.p);
+    let size = size(&light, at.p);
     let scale = if is_line { size } else { (size * factor).min(1.0) };
-    Check { name, emitter, at, lobe: PhongLobe::new(1.0), part: Part::Irradiance, factor, expected, scale }
+    Check { name, light, at, lobe: PhongLobe::new(1.0), part: Part::Irradiance, factor, expected, scale }
 }
 
 impl Check {
     /// The same for a specular lobe.
     fn specular(self, m: f64) -> Self {
         let normalisation = (m + 1.0) / (2.0 * PI);
-        let size = size(&self.emitter, self.at.p);
-        let is_line = matches!(self.emitter, Emitter::Line(_));
+        let size = size(&self.light, self.at.p);
+        let is_line = matches!(self.light, Light::Emitter(Emitter::Line(_)));
         let (factor, scale) =
             if is_line { (normalisation.recip(), size) } else { (1.0, (size * normalisation).min(1.0)) };
         Self { lobe: PhongLobe::new(m), part: Part::Specular, factor, scale, ..self }
@@ -212,7 +242,12 @@ impl Check {
     /// The methods that differ for this part, `reference` aside.
     pub(super) fn methods(&self) -> &'static [Method] {
         const CLUSTER: Method = Method::PointCluster(16);
-        match (&self.emitter, self.part) {
+        let emitter = match (&self.light, self.part) {
+            (Light::Emitter(emitter), _) => emitter,
+            (Light::Cap { .. }, Part::Irradiance) => return &[Method::Exact, Method::Hermite1, Method::Hermite2],
+            (Light::Cap { .. }, Part::Specular) => return &[Method::Exact],
+        };
+        match (emitter, self.part) {
             (Emitter::Polygon(_), Part::Specular) => &[Method::Exact, Method::NearestPoint, CLUSTER, Method::Point],
             (Emitter::Line(_), Part::Specular) => {
                 &[Method::Exact, Method::Chebyshev, Method::NearestPoint, CLUSTER, Method::Point]
@@ -224,10 +259,48 @@ impl Check {
             _ => &[Method::Exact, CLUSTER, Method::Point],
         }
     }
+
+    /// A method's answer.
+    pub(super) fn value(&self, method: Method) -> f64 {
+        let value = match &self.light {
+            Light::Emitter(emitter) => self.part.of(&respond(emitter, method, &self.at, &self.lobe)),
+            &Light::Cap { center, half_angle } => {
+                let cap = Cap::new(center, half_angle);
+                match (self.part, method) {
+                    (Part::Irradiance, Method::Hermite1) => cap_irradiance_hermite_1(&cap, self.at.n),
+                    (Part::Irradiance, Method::Hermite2) => cap_irradiance_hermite_2(&cap, self.at.n),
+                    (Part::Irradiance, _) => cap_irradiance(&cap, self.at.n),
+                    (Part::Specular, _) => cap_phong_lobe_only(&cap, self.at.n, self.lobe.exponent()),
+                }
+            }
+        };
+        value * self.factor
+    }
+
+    /// The answer by quadrature, and its bound.
+    pub(super) fn estimate(&self) -> Estimate {
+        match &self.light {
+            Light::Emitter(emitter) => self.part.of_bounded(&reference(emitter, &self.at, &self.lobe)) * self.factor,
+            &Light::Cap { center, half_angle } => {
+                let axis = self.at.n;
+                match self.part {
+                    Part::Irradiance => cap_reference(center, half_angle, &Kernel::cosine(axis)) * self.factor,
+                    Part::Specular => {
+                        let kernel = Kernel { axis, exponent: self.lobe.exponent(), horizon: None };
+                        cap_reference(center, half_angle, &kernel) * self.lobe.normalisation()
+                    }
+                }
+            }
+        }
+    }
 }
 
 /// The solid angle of a light, or |B−A|/dᶠ of a line at the least distance d.
-fn size(emitter: &Emitter, p: DVec3) -> f64 {
+fn size(light: &Light, p: DVec3) -> f64 {
+    let emitter = match light {
+        Light::Emitter(emitter) => emitter,
+        &Light::Cap { center, half_angle } => return Cap::new(center, half_angle).solid_angle(),
+    };
     match emitter {
         Emitter::Polygon(light) => {
             let corner = light.vertices[0] - p;

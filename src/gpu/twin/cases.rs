@@ -1,0 +1,113 @@
+//! What is asked of a function and of its f64 twin alike: a light about p and what looks at it, rounded once to f32.
+
+use std::f64::consts::{PI, TAU};
+
+use glam::DVec3;
+
+use super::{Row, rounded, rounded_number};
+use crate::light::{LineEmitter, SphereEmitter};
+use crate::math::spherical::triangle_solid_angle;
+use crate::shading::line::{line_irradiance, line_phong};
+use crate::shading::polygon::{polygon_irradiance, polygon_phong};
+use crate::shading::sphere::{Cap, sphere_irradiance, sphere_phong};
+
+/// Inputs, the f64 answer on them, and the scale of the case.
+#[derive(Clone, Debug)]
+pub struct Case {
+    /// The inputs of the call.
+    pub row: Row,
+    /// What the f64 twin makes of them.
+    pub expected: f64,
+    /// The answer's natural size, which absolute errors are measured by.
+    pub scale: f64,
+}
+
+/// A row of [`super::LINE_IRRADIANCE`].
+pub fn line_irradiance_case(light: &LineEmitter, p: DVec3, n: DVec3) -> Case {
+    let (light, n) = (line_about(light, p), rounded(n));
+    let row = Row::default().vector(light.a).vector(light.b).vector(n).number(light.falloff);
+    Case { row, expected: line_irradiance(&light, DVec3::ZERO, n), scale: line_scale(&light) }
+}
+
+/// A row of [`super::LINE_PHONG`].
+pub fn line_phong_case(light: &LineEmitter, p: DVec3, n: DVec3, r: DVec3, m: f64) -> Case {
+    let (light, n, r, m) = (line_about(light, p), rounded(n), rounded(r), rounded_number(m));
+    let row = Row::default().vector(light.a).vector(light.b).vector(n).vector(r).number(m).number(light.falloff);
+    Case { row, expected: line_phong(&light, DVec3::ZERO, n, r, m), scale: line_scale(&light) }
+}
+
+/// A row of [`super::POLYGON_IRRADIANCE`].
+pub fn polygon_irradiance_case(vertices: &[DVec3], p: DVec3, n: DVec3) -> Case {
+    let (vertices, n) = (vertices_about(vertices, p), rounded(n));
+    let row = Row::default().vertices(&vertices).vector(DVec3::ZERO).vector(n);
+    let expected = polygon_irradiance(&vertices, DVec3::ZERO, n.normalize());
+    Case { row, expected, scale: polygon_solid_angle(&vertices).min(PI) }
+}
+
+/// A row of [`super::POLYGON_PHONG`].
+pub fn polygon_phong_case(vertices: &[DVec3], p: DVec3, n: DVec3, r: DVec3, m: f64) -> Case {
+    let (vertices, n, r, m) = (vertices_about(vertices, p), rounded(n), rounded(r), rounded_number(m));
+    let row = Row::default().vertices(&vertices).vector(DVec3::ZERO).vector(n).vector(r).number(m);
+    let expected = polygon_phong(&vertices, DVec3::ZERO, n.normalize(), r.normalize(), m);
+    Case { row, expected, scale: lobe_scale(polygon_solid_angle(&vertices), m) }
+}
+
+/// A row of [`super::SPHERE_IRRADIANCE`].
+pub fn sphere_irradiance_case(light: &SphereEmitter, p: DVec3, n: DVec3) -> Case {
+    let (light, n) = (sphere_about(light, p), rounded(n));
+    let row = Row::default().vector(light.center).number(light.radius).vector(n);
+    let expected = sphere_irradiance(&light, DVec3::ZERO, n.normalize());
+    Case { row, expected, scale: sphere_solid_angle(&light).min(PI) }
+}
+
+/// A row of [`super::SPHERE_PHONG`].
+pub fn sphere_phong_case(light: &SphereEmitter, p: DVec3, n: DVec3, r: DVec3, m: f64) -> Case {
+    let (light, n, r, m) = (sphere_about(light, p), rounded(n), rounded(r), rounded_number(m));
+    let row = Row::default().vector(light.center).number(light.radius).vector(n).vector(r).number(m);
+    let expected = sphere_phong(&light, DVec3::ZERO, n.normalize(), r.normalize(), m);
+    Case { row, expected, scale: lobe_scale(sphere_solid_angle(&light), m) }
+}
+
+/// Whether p is within 5e-5 of a polygon's reach of its plane, the reach being its farthest corner's distance.
+///
+/// There f32 knows a horizon's crossing next to p to 1e-3 only, and the preview's Phong integral promises no bound.
+pub fn is_grazing(vertices: &[DVec3], p: DVec3) -> bool {
+    let corner = vertices[0];
+    let doubled: DVec3 = vertices.windows(2).map(|edge| (edge[0] - corner).cross(edge[1] - corner)).sum();
+    let reach = vertices.iter().map(|vertex| vertex.distance(p)).fold(0.0, f64::max);
+    doubled.normalize_or_zero().dot(corner - p).abs() <= 5e-5 * reach
+}
+
+fn line_about(light: &LineEmitter, p: DVec3) -> LineEmitter {
+    LineEmitter { a: rounded(light.a - p), b: rounded(light.b - p), falloff: rounded_number(light.falloff) }
+}
+
+fn vertices_about(vertices: &[DVec3], p: DVec3) -> Vec<DVec3> {
+    vertices.iter().map(|vertex| rounded(*vertex - p)).collect()
+}
+
+fn sphere_about(light: &SphereEmitter, p: DVec3) -> SphereEmitter {
+    SphereEmitter { center: rounded(light.center - p), radius: rounded_number(light.radius) }
+}
+
+/// |B−A|/dᶠ, d the least distance from the origin.
+pub fn line_scale(light: &LineEmitter) -> f64 {
+    let along = light.b - light.a;
+    let t = (-light.a.dot(along) / along.length_squared()).clamp(0.0, 1.0);
+    along.length() / (light.a + t * along).length().powf(light.falloff)
+}
+
+/// (m+1)/(2π)·Ω, at most 1.
+pub fn lobe_scale(solid_angle: f64, m: f64) -> f64 {
+    ((m + 1.0) / TAU * solid_angle).min(1.0)
+}
+
+fn polygon_solid_angle(vertices: &[DVec3]) -> f64 {
+    let fan = vertices.windows(2).map(|edge| triangle_solid_angle(vertices[0], edge[0], edge[1]));
+    fan.sum::<f64>().abs()
+}
+
+/// Of a sphere seen from the origin; 2π from inside.
+pub fn sphere_solid_angle(light: &SphereEmitter) -> f64 {
+    Cap::of_sphere(light, DVec3::ZERO, DVec3::Z).solid_angle()
+}
