@@ -286,6 +286,39 @@ fn a_reader_that_stops_reading_is_no_error() {
     assert_eq!(text(&output.stderr), "", "it says nothing");
 }
 
+#[cfg(feature = "gpu")]
+#[test]
+fn the_gpu_renders_the_same_picture() {
+    let folder = folder();
+    let picture = |name: &str, renderer: &str| {
+        let output = folder.path().join(name);
+        let size = ["--size", "96x54", "--samples", "1", "--renderer", renderer];
+        check_done(&run(&[&["render", WINDOW, "-o", shown(&output)], &size[..]].concat()));
+        image::open(&output).expect("a picture").into_rgb8()
+    };
+    let (cpu, gpu) = (picture("cpu.png", "cpu"), picture("gpu.png", "gpu"));
+    assert_eq!(cpu.dimensions(), gpu.dimensions(), "size");
+    let apart = |a: &image::Rgb<u8>, b: &image::Rgb<u8>| a.0.iter().zip(b.0).any(|(a, b)| a.abs_diff(b) > 1);
+    let different = cpu.pixels().zip(gpu.pixels()).filter(|(a, b)| apart(a, b)).count();
+    // A pixel's centre may lie on an edge.
+    assert!(different < 10, "{different} pixels differ by more than a step");
+    assert!(cpu.pixels().any(|pixel| pixel.0[0] > 100), "a picture of something");
+    let output = folder.path().join("a.png");
+    let refused = |method: &str, expected: &str| {
+        check_refused(&["render", WINDOW, "-o", shown(&output), "--renderer", "gpu", "--method", method], expected);
+    };
+    refused("approx", "one method");
+    refused("reference", "--renderer cpu");
+}
+
+#[cfg(not(feature = "gpu"))]
+#[test]
+fn a_build_without_gpu_says_so() {
+    let folder = folder();
+    let output = folder.path().join("a.png");
+    check_refused(&["render", WINDOW, "-o", shown(&output), "--renderer", "gpu"], "no GPU renderer");
+}
+
 /// A scene with three plots.
 const PLOTTED: &str = "presets/scenes/first-light.toml";
 

@@ -7,11 +7,13 @@ use std::sync::mpsc::{self, RecvTimeoutError};
 use std::thread;
 use std::time::Duration;
 
+use anyhow::bail;
 use indicatif::{ProgressBar, ProgressStyle};
 
 use super::{Outcome, files};
 use crate::export;
-use crate::render::{MethodChoice, Progress, Settings, render};
+use crate::render::{Film, MethodChoice, Progress, Settings, render};
+use crate::scene::Scene;
 
 /// Largest picture, pixels.
 const MAX_PIXELS: u64 = 1 << 26;
@@ -46,6 +48,17 @@ pub(super) struct Args {
     /// Leave shadows out, as all pictures do yet.
     #[arg(long)]
     no_shadows: bool,
+    /// What renders: cpu in double precision, or gpu as the editor's preview does, with its own number of rays where
+    /// --samples is above 1.
+    #[arg(long, value_enum, default_value_t = Renderer::Cpu)]
+    renderer: Renderer,
+}
+
+/// What renders a picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+enum Renderer {
+    Cpu,
+    Gpu,
 }
 
 /// A picture's width and height.
@@ -78,18 +91,65 @@ pub(super) fn run(args: &Args) -> anyhow::Result<Outcome> {
     let scene = files::load(&args.scene)?;
     files::check_writable(&args.output)?;
     let settings = Settings { size: args.size.0, choice: args.method, samples: args.samples };
-    let progress = Arc::new(Progress::default());
-    let on_interrupt = Arc::clone(&progress);
-    ctrlc::set_handler(move || on_interrupt.cancel())?;
-    let Some(film) = with_bar(&settings, &progress, || render(&scene, &settings, &progress)) else {
-        return Ok(Outcome::Interrupted);
+    let film = match args.renderer {
+        Renderer::Cpu => on_cpu(&scene, &settings)?,
+        Renderer::Gpu => Some(on_gpu(&scene, &settings)?),
     };
+    let Some(film) = film else { return Ok(Outcome::Interrupted) };
     let bytes = match format {
         Format::Png => export::png::rgb(film.size(), film.srgb())?,
         Format::Exr => export::exr::radiance(film.size(), film.radiance())?,
     };
     files::write(&args.output, &bytes)?;
     Ok(Outcome::Done)
+}
+
+/// The picture by all cores; none after Ctrl-C.
+fn on_cpu(scene: &Scene, settings: &Settings) -> anyhow::Result<Option<Film>> {
+    let progress = Arc::new(Progress::default());
+    let on_interrupt = Arc::clone(&progress);
+    ctrlc::set_handler(move || on_interrupt.cancel())?;
+    Ok(with_bar(settings, &progress, || render(scene, settings, &progress)))
+}
+
+/// The picture as the editor's preview shows it.
+#[cfg(feature = "gpu")]
+fn on_gpu(scene: &Scene, settings: &Settings) -> anyhow::Result<Film> {
+    use anyhow::Context as _;
+    use glam::DVec3;
+
+    use crate::gpu::{Context, View, picture};
+    use crate::shading::Method;
+
+    let MethodChoice::Method(method) = settings.choice else {
+        bail!("--renderer gpu needs one method for all lights in place of approx");
+    };
+    if method == Method::Reference {
+        bail!("--renderer gpu has no reference; use --renderer cpu");
+    }
+    let context = Context::new()?;
+    let longest = context.device.limits().max_texture_dimension_2d;
+    if settings.size.iter().any(|side| *side > longest) {
+        bail!("--renderer gpu makes pictures of up to {longest} pixels a side here; use --renderer cpu");
+    }
+    let view = View {
+        camera: scene.camera,
+        size: settings.size,
+        method,
+        exposure_ev: scene.display.exposure_ev,
+        show_emitters: true,
+        refine: settings.samples > 1,
+    };
+    let pixels = picture(&context, scene, &view)?;
+    let radiance = pixels.radiance.iter().map(|rgb| DVec3::from(rgb.map(f64::from))).collect();
+    let srgb = pixels.srgb.iter().map(|&[r, g, b, _]| [r, g, b]).collect();
+    Film::from_pixels(pixels.size, radiance, srgb).context("the picture is not whole")
+}
+
+/// Say that there is no GPU renderer.
+#[cfg(not(feature = "gpu"))]
+fn on_gpu(_scene: &Scene, _settings: &Settings) -> anyhow::Result<Film> {
+    bail!("this build has no GPU renderer; use --renderer cpu")
 }
 
 /// Do the work beside a progress bar, which shows only where standard error is a terminal.

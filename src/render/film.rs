@@ -20,6 +20,12 @@ impl Film {
         Self { size, radiance: vec![DVec3::ZERO; pixels], srgb: vec![[0; 3]; pixels] }
     }
 
+    /// A picture made elsewhere; none unless there are width times height pixels of both kinds.
+    pub fn from_pixels(size: [u32; 2], radiance: Vec<DVec3>, srgb: Vec<[u8; 3]>) -> Option<Self> {
+        let pixels = size[0] as usize * size[1] as usize;
+        (radiance.len() == pixels && srgb.len() == pixels).then_some(Self { size, radiance, srgb })
+    }
+
     /// Put rows of `width` pixels where the tile's upper left corner is.
     pub(super) fn put_tile(&mut self, [x, y]: [u32; 2], width: u32, pixels: &[Pixel]) {
         for (row, pixels) in pixels.chunks_exact(width as usize).enumerate() {
