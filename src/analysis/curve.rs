@@ -146,7 +146,7 @@ fn x_label(kind: PlotKind) -> &'static str {
 fn y_label(plot: &Plot) -> &'static str {
     match (plot.quantity, plot.normalise) {
         (PlotQuantity::Irradiance, false) => "Illuminance (lx)",
-        (PlotQuantity::Specular, false) => "Specular luminance, kₛ = 1 (cd/m²)",
+        (PlotQuantity::Specular, false) => "Specular luminance, k_s = 1 (cd/m²)",
         (PlotQuantity::Radiance, false) => "Luminance (cd/m²)",
         (PlotQuantity::Irradiance, true) => "Illuminance / greatest exact",
         (PlotQuantity::Specular, true) => "Specular luminance / greatest exact",

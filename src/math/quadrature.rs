@@ -170,7 +170,7 @@ fn panel(lo: f64, hi: f64, f: &mut impl FnMut(f64) -> Estimate) -> Panel {
 
 /// ∫ f over the intervals, halving the panel of the greatest error until the tolerance or the budget is met.
 ///
-/// **Method:** globally adaptive Gauss–Kronrod (7, 15), with [`CAUTION`] times the difference of the two rules as error.
+/// **Method:** globally adaptive Gauss–Kronrod (7, 15), with ten times the difference of the two rules as error.
 /// **Domain:** f finite on the closed intervals; place interval ends where f or its derivatives jump, and about narrow
 /// peaks, which no sampling can find by itself.
 pub fn adaptive(

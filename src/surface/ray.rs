@@ -51,7 +51,7 @@ impl Placed {
     ///
     /// The ray is taken to the surface's own frame, where the shape is plain; normals come back by the inverse
     /// transpose, so that non-uniform and negative scales hold. **Domain:** a flat face on which the origin lies is
-    /// not hit, a round one only again at its far side: see [`super::intersect`]. A scale with a zero is never hit.
+    /// not hit, a round one only again at its far side: see `surface::intersect`. A scale with a zero is never hit.
     pub fn intersect(&self, origin: DVec3, direction: DVec3) -> Option<Hit> {
         let o = self.surface_from_world.transform_point3(origin);
         let d = self.surface_from_world.transform_vector3(direction);

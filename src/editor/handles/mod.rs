@@ -113,7 +113,7 @@ pub fn hit(spots: &[Spot], pos: Pos2) -> Option<Handle> {
 }
 
 impl Outline {
-    /// Distance on screen from `pos`. Inside of a patch it is [`INSIDE`], so that an arrow before it can be had.
+    /// Distance on screen from `pos`. Inside of a patch it is `INSIDE`, so that an arrow before it can be had.
     pub fn distance(&self, pos: Pos2) -> f32 {
         match self {
             Self::Dot(at) | Self::Diamond(at) => (at.distance(pos) - DOT).max(0.0),
