@@ -1,21 +1,24 @@
-//! What a light layer costs: every light and method, as a multiple of a point light's layer in the same run.
+//! What a light layer costs on the GPU: every light and method, as a multiple of a point light's layer in the same run.
 //!
-//! `cargo bench --bench layers`. A layer's time is that of a picture in which all of a scene's lights moved, less that
-//! of one in which only their weights changed, over the number of lights; the least of several runs.
+//! `cargo bench --bench layers [-- FILTER]`. A layer's time is that of a picture in which all of a scene's lights moved,
+//! less that of one in which only their weights changed, over the number of lights; the least of many.
+
+mod common;
 
 use std::time::{Duration, Instant};
 
-use glam::{DVec2, DVec3};
+use common::{Bench, Times};
+use glam::DVec3;
 use softbox::gpu::{Context, Preview, View};
-use softbox::light::{Directional, Light, Line, LineEmission, Point, Polygon, Quantity, Shape, Sphere, Tint};
+use softbox::light::{Light, Quantity, Shape};
 use softbox::scene::{Camera, Scene};
 use softbox::shading::Method;
 use softbox::surface::{self, Material, Surface};
 
-const SIZE: [u32; 2] = [640, 360];
+const SIZE: [u32; 2] = [480, 270];
 /// Lights in the scene, all alike but for their places.
-const LIGHTS: u32 = 8;
-const RUNS: usize = 15;
+const LIGHTS: u32 = 4;
+const EXPONENT: f64 = 31.0;
 
 fn main() {
     let context = match Context::new() {
@@ -26,92 +29,86 @@ fn main() {
         }
     };
     println!("{}, {}×{}", context.adapter, SIZE[0], SIZE[1]);
-    println!("{:<12} {:<14} {:>10} {:>14}", "light", "method", "ms", "point lights");
-    let point = layer_time(&context, &Shape::Point(Point {}), Method::Exact);
-    for shape in shapes() {
-        let methods = Method::of(&shape).iter().copied().filter(|method| *method != Method::Reference);
-        for method in methods {
-            let time = layer_time(&context, &shape, method);
-            let ratio = time.as_secs_f64() / point.as_secs_f64();
-            let name = name(&shape);
-            println!("{name:<12} {method:<14} {:>10.3} {ratio:>14.2}", 1e3 * time.as_secs_f64());
+    let mut bench = Bench::new();
+    for (part, specular) in [("diffuse", 0.0), ("both, m = 31", 0.2)] {
+        let mut point = Layers::new(&context, &common::point(), Method::Exact, specular);
+        for (light, shape) in common::lights() {
+            for method in common::methods(&shape) {
+                let mut layers = Layers::new(&context, &shape, method, specular);
+                bench.measure([light, part, &method.to_string()], || Times {
+                    light: layers.time(),
+                    point: point.time(),
+                });
+            }
         }
     }
+    bench.finish("ns a pixel", f64::from(SIZE[0]) * f64::from(SIZE[1]));
 }
 
-fn shapes() -> Vec<Shape> {
-    let ring = |vertices: u32, radius: f64| {
-        let corner = |i| DVec2::from_angle(std::f64::consts::TAU * f64::from(i) / f64::from(vertices)) * radius;
-        Shape::Polygon(Polygon { vertices: (0..vertices).map(corner).collect(), two_sided: false })
-    };
-    let line = |falloff| Shape::Line(Line { length: 1.0, emission: LineEmission::Isotropic, falloff });
-    vec![
-        Shape::Point(Point {}),
-        Shape::Directional(Directional {}),
-        line(2.0),
-        line(1.0),
-        ring(4, 0.7),
-        ring(8, 0.7),
-        Shape::Sphere(Sphere { radius: 0.3 }),
-    ]
+/// A scene of lights that are all alike, and its preview.
+struct Layers<'a> {
+    context: &'a Context,
+    preview: Preview,
+    scene: Scene,
+    view: View,
+    weighed: Duration,
 }
 
-fn name(shape: &Shape) -> String {
-    match shape {
-        Shape::Polygon(polygon) => format!("{}-gon", polygon.vertices.len()),
-        Shape::Line(line) => format!("line 1/r^{}", line.falloff),
-        _ => shape.name().to_owned(),
+impl<'a> Layers<'a> {
+    fn new(context: &'a Context, shape: &Shape, method: Method, specular: f64) -> Self {
+        let scene = scene(shape, specular);
+        let camera = scene.camera;
+        let view = View { camera, size: SIZE, method, exposure_ev: 0.0, show_emitters: false, refine: false };
+        let preview = Preview::new(&context.device, &context.queue);
+        let mut layers = Self { context, preview, scene, view, weighed: Duration::MAX };
+        layers.draw();
+        layers
     }
-}
 
-/// Time of one layer of such a light.
-fn layer_time(context: &Context, shape: &Shape, method: Method) -> Duration {
-    let mut preview = Preview::new(&context.device, &context.queue);
-    let mut scene = scene(shape);
-    let camera = scene.camera;
-    let view = View { camera, size: SIZE, method, exposure_ev: 0.0, show_emitters: false, refine: false };
-    let mut time = |scene: &Scene| {
+    /// Time of one picture.
+    fn draw(&mut self) -> Duration {
+        let Context { device, queue, .. } = self.context;
         let start = Instant::now();
-        preview.render(&context.device, &context.queue, scene, &view);
-        context.device.poll(wgpu::PollType::wait_indefinitely()).expect("the device answers");
+        self.preview.render(device, queue, &self.scene, &self.view);
+        device.poll(wgpu::PollType::wait_indefinitely()).expect("the device answers");
         start.elapsed()
-    };
-    time(&scene);
-    let (mut moved, mut weighed) = (Duration::MAX, Duration::MAX);
-    for _ in 0..RUNS {
-        for light in &mut scene.lights {
-            light.position.x += 0.01;
-            light.rotation_deg.x += 0.1;
-        }
-        moved = moved.min(time(&scene));
-        for light in &mut scene.lights {
+    }
+
+    /// Time of one layer.
+    fn time(&mut self) -> Duration {
+        for light in &mut self.scene.lights {
             light.quantity = Quantity::new(light.quantity.kind(), light.quantity.value() + 1.0);
         }
-        weighed = weighed.min(time(&scene));
+        self.weighed = self.draw().min(self.weighed);
+        for light in &mut self.scene.lights {
+            light.position.x += 0.001;
+            light.rotation_deg.x += 0.01;
+        }
+        self.draw().saturating_sub(self.weighed) / LIGHTS
     }
-    moved.saturating_sub(weighed) / LIGHTS
 }
 
 /// A floor and a ball under a row of lights.
-fn scene(shape: &Shape) -> Scene {
-    let material =
-        Material { name: "grey".to_owned(), diffuse: DVec3::splat(0.5), specular: DVec3::splat(0.2), exponent: 32.0 };
+fn scene(shape: &Shape, specular: f64) -> Scene {
+    let material = Material {
+        name: "grey".to_owned(),
+        diffuse: DVec3::splat(0.5),
+        specular: DVec3::splat(specular),
+        exponent: EXPONENT,
+    };
     let surface = |name: &str, position, shape| Surface {
         name: name.to_owned(),
         material: material.name.clone(),
         position,
+        shape,
         rotation_deg: DVec3::ZERO,
         scale: DVec3::ONE,
-        shape,
     };
     let light = |i| Light {
         name: format!("light {i}"),
-        position: DVec3::new(0.5 * f64::from(i) - 2.0, 0.5, 2.0),
+        position: DVec3::new(f64::from(i) - 1.5, 0.5, 2.0),
         rotation_deg: DVec3::new(20.0, 0.0, 0.0),
-        tint: Tint::default(),
-        quantity: Quantity::new(shape.strength_kind(), 100.0),
-        muted: false,
-        shape: shape.clone(),
+        ..Light::new("", shape.clone())
     };
     Scene {
         camera: Camera::default(),

@@ -1,83 +1,101 @@
 //! What shading costs on the CPU: every light and method, in ns a point and as a multiple of a point light in the same run.
 //!
-//! `cargo bench --no-default-features --bench shading`. The least of several runs over the same random points.
+//! `cargo bench --no-default-features --bench shading [-- FILTER]`. The least of many runs over the same random points.
+
+mod common;
 
 use std::f64::consts::TAU;
 use std::hint::black_box;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
+use common::{Bench, Times};
 use glam::DVec3;
-use softbox::light::{Emitter, Line, LineEmission, LineEmitter, PointEmitter, Shape, Sphere, SphereEmitter};
+use softbox::light::{Emitter, Light, LineEmitter, Shape, SphereEmitter};
 use softbox::shading::line::line_irradiance;
-use softbox::shading::sphere::{Cap, cap_irradiance_hermite_1, cap_irradiance_hermite_2, sphere_irradiance};
+use softbox::shading::sphere::{sphere_irradiance, sphere_irradiance_hermite_1, sphere_irradiance_hermite_2};
 use softbox::shading::{Method, PhongLobe, ShadingPoint, respond};
 
-const POINTS: u32 = 10_000;
-const RUNS: usize = 15;
-/// Of the lobe; a real one, for which no recurrence serves.
-const EXPONENT: f64 = 32.5;
+const POINTS: u32 = 1000;
+
+/// Of the lobe: a whole one, and for the exact method a real one too.
+const EXPONENT: f64 = 31.0;
+const REAL_EXPONENT: f64 = 32.5;
 
 fn main() {
     let points: Vec<ShadingPoint> = (0..POINTS).map(shading_point).collect();
-    let lobe = PhongLobe::new(EXPONENT);
-    let ceiling = DVec3::new(0.0, 0.0, 2.0);
-    let line = LineEmitter { a: ceiling - DVec3::X, b: ceiling + DVec3::X, falloff: 2.0 };
-    let sphere = SphereEmitter { center: ceiling, radius: 0.5 };
+    let mut bench = Bench::new();
 
-    println!("{:<10} {:<10} {:<16} {:>8} {:>14}", "light", "part", "method", "ns", "point lights");
-    // The diffuse part alone is held against a point light without a lobe.
-    let diffuse_point = time(&points, |at| {
-        let to_light = ceiling - at.p;
-        let square = to_light.length_squared();
-        at.n.dot(to_light).max(0.0) / (square * square.sqrt())
-    });
-    let diffuse = |light: &str, method: &str, f: &dyn Fn(&ShadingPoint) -> f64| {
-        row(light, "diffuse", method, time(&points, f), diffuse_point);
-    };
-    row("point", "diffuse", "exact", diffuse_point, diffuse_point);
-    diffuse("line", "exact", &|at| line_irradiance(&line, at.p, at.n));
-    for falloff in [0.0, 1.0, 3.0, 2.5] {
-        let line = LineEmitter { falloff, ..line };
-        diffuse("line", &format!("falloff {falloff}"), &|at| line_irradiance(&line, at.p, at.n));
+    for (light, method, irradiance) in diffuse_parts() {
+        bench.measure([light, "diffuse", method], || Times {
+            light: time(&points, &irradiance),
+            point: time(&points, point_irradiance),
+        });
     }
-    diffuse("sphere", "exact", &|at| sphere_irradiance(&sphere, at.p, at.n));
-    diffuse("sphere", "hermite-1", &|at| cap_irradiance_hermite_1(&Cap::of_sphere(&sphere, at.p, at.n), at.n));
-    diffuse("sphere", "hermite-2", &|at| cap_irradiance_hermite_2(&Cap::of_sphere(&sphere, at.p, at.n), at.n));
-
-    let point = Emitter::Point(PointEmitter { position: ceiling });
-    let both = |emitter: &Emitter, method: Method| {
-        time(&points, |at| {
-            let response = respond(emitter, method, at, &lobe);
-            response.irradiance + response.specular
-        })
-    };
-    let whole_point = both(&point, Method::Exact);
-    row("point", "both", "exact", whole_point, whole_point);
-    let shapes = [
-        (Shape::Line(Line { length: 2.0, emission: LineEmission::Isotropic, falloff: 2.0 }), Emitter::Line(line)),
-        (Shape::Sphere(Sphere { radius: 0.5 }), Emitter::Sphere(sphere)),
-    ];
-    for (shape, emitter) in &shapes {
-        for method in Method::of(shape).iter().copied().filter(|method| *method != Method::Reference) {
-            row(shape.name(), "both", &method.to_string(), both(emitter, method), whole_point);
+    let lobe = PhongLobe::new(EXPONENT);
+    let point = placed(common::point());
+    for (light, shape) in common::lights() {
+        let emitter = placed(shape.clone());
+        let methods = common::methods(&shape).map(|method| (method, EXPONENT));
+        for (method, exponent) in methods.chain([(Method::Exact, REAL_EXPONENT)]) {
+            let light_lobe = PhongLobe::new(exponent);
+            let part = format!("both, m = {exponent}");
+            bench.measure([light, &part, &method.to_string()], || Times {
+                light: time(&points, |at| both(&emitter, method, at, &light_lobe)),
+                point: time(&points, |at| both(&point, Method::Exact, at, &lobe)),
+            });
         }
     }
+    bench.finish("ns", POINTS.into());
 }
 
-/// Nanoseconds a point.
-fn time(points: &[ShadingPoint], f: impl Fn(&ShadingPoint) -> f64) -> f64 {
-    let mut least = f64::INFINITY;
-    for _ in 0..RUNS {
-        let start = Instant::now();
-        let sum: f64 = points.iter().map(|at| f(black_box(at))).sum();
-        black_box(sum);
-        least = least.min(start.elapsed().as_secs_f64());
-    }
-    1e9 * least / points.len() as f64
+/// Where the lights are.
+const CEILING: DVec3 = DVec3::new(0.0, 0.0, 2.0);
+
+fn placed(shape: Shape) -> Emitter {
+    Light { position: CEILING, ..Light::new("light", shape) }.emitter()
 }
 
-fn row(light: &str, part: &str, method: &str, ns: f64, point: f64) {
-    println!("{light:<10} {part:<10} {method:<16} {ns:>8.1} {:>14.2}", ns / point);
+fn both(emitter: &Emitter, method: Method, at: &ShadingPoint, lobe: &PhongLobe) -> f64 {
+    let response = respond(emitter, method, at, lobe);
+    response.irradiance + response.specular
+}
+
+/// A point light's irradiance and no more, which diffuse parts are multiples of.
+fn point_irradiance(at: &ShadingPoint) -> f64 {
+    let to_light = CEILING - at.p;
+    let square = to_light.length_squared();
+    at.n.dot(to_light).max(0.0) / (square * square.sqrt())
+}
+
+type Irradiance = Box<dyn Fn(&ShadingPoint) -> f64>;
+
+/// Irradiance alone, by light and method.
+fn diffuse_parts() -> Vec<(&'static str, &'static str, Irradiance)> {
+    let line = |falloff| {
+        let light = LineEmitter { a: CEILING - DVec3::X, b: CEILING + DVec3::X, falloff };
+        Box::new(move |at: &ShadingPoint| line_irradiance(&light, at.p, at.n)) as Irradiance
+    };
+    let sphere = SphereEmitter { center: CEILING, radius: 0.5 };
+    let ball = |irradiance: fn(&SphereEmitter, DVec3, DVec3) -> f64| {
+        Box::new(move |at: &ShadingPoint| irradiance(&sphere, at.p, at.n)) as Irradiance
+    };
+    vec![
+        ("line", "exact", line(2.0)),
+        ("line n=0", "exact", line(0.0)),
+        ("line n=1", "exact", line(1.0)),
+        ("line n=3", "exact", line(3.0)),
+        ("line n=2.5", "exact", line(2.5)),
+        ("sphere", "exact", ball(sphere_irradiance)),
+        ("sphere", "hermite-1", ball(sphere_irradiance_hermite_1)),
+        ("sphere", "hermite-2", ball(sphere_irradiance_hermite_2)),
+    ]
+}
+
+fn time(points: &[ShadingPoint], f: impl Fn(&ShadingPoint) -> f64) -> Duration {
+    let start = Instant::now();
+    let sum: f64 = points.iter().map(|at| f(black_box(at))).sum();
+    black_box(sum);
+    start.elapsed()
 }
 
 /// Points of a ground plane 8 m wide with tilted normals, by the R₂ sequence (M. Roberts, 2018).

@@ -1,0 +1,96 @@
+//! What both benches share: the lights that they measure, and the table that they print.
+
+use std::f64::consts::TAU;
+use std::time::Duration;
+
+use criterion::Criterion;
+use glam::DVec2;
+use softbox::light::{Directional, Line, LineEmission, Point, Polygon, Shape, Sphere};
+use softbox::shading::Method;
+
+/// The lights that are measured, each by every method that it has. A new one is a line here.
+pub(crate) fn lights() -> Vec<(&'static str, Shape)> {
+    vec![
+        ("directional", Shape::Directional(Directional {})),
+        ("line", line(2.0)),
+        ("line n=1", line(1.0)),
+        ("line n=2.5", line(2.5)),
+        ("4-gon", ring(4)),
+        ("8-gon", ring(8)),
+        ("sphere", Shape::Sphere(Sphere { radius: 0.3 })),
+    ]
+}
+
+/// What the others are multiples of.
+pub(crate) fn point() -> Shape {
+    Shape::Point(Point {})
+}
+
+/// The methods that are measured: not `reference`, which judges and is not for use.
+pub(crate) fn methods(shape: &Shape) -> impl Iterator<Item = Method> {
+    Method::of(shape).iter().copied().filter(|method| *method != Method::Reference)
+}
+
+fn line(falloff: f64) -> Shape {
+    Shape::Line(Line { length: 1.0, emission: LineEmission::Isotropic, falloff })
+}
+
+fn ring(vertices: u32) -> Shape {
+    let corner = |i| DVec2::from_angle(-TAU * f64::from(i) / f64::from(vertices)) * 0.7;
+    Shape::Polygon(Polygon { vertices: (0..vertices).map(corner).collect(), two_sided: false })
+}
+
+/// The time of one light, and of the point light that it is a multiple of, taken in turn.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Times {
+    /// Of the light.
+    pub(crate) light: Duration,
+    /// Of the point light.
+    pub(crate) point: Duration,
+}
+
+/// Runs measurements through criterion, and prints the least times as multiples of the point light's.
+pub(crate) struct Bench {
+    criterion: Criterion,
+    rows: Vec<([String; 3], Times)>,
+}
+
+impl Bench {
+    /// Set to a short run.
+    pub(crate) fn new() -> Self {
+        let criterion = Criterion::default()
+            .sample_size(10)
+            .warm_up_time(Duration::from_millis(20))
+            .measurement_time(Duration::from_millis(200));
+        Self { criterion: criterion.configure_from_args(), rows: Vec::new() }
+    }
+
+    /// Measures light, part and method by `once`, which takes both times.
+    pub(crate) fn measure(&mut self, name: [&str; 3], mut once: impl FnMut() -> Times) {
+        let mut least: Option<Times> = None;
+        self.criterion.bench_function(&name.join("/"), |bencher| {
+            bencher.iter_custom(|repetitions| {
+                (0..repetitions)
+                    .map(|_| {
+                        let now = once();
+                        let before = least.unwrap_or(now);
+                        least = Some(Times { light: before.light.min(now.light), point: before.point.min(now.point) });
+                        now.light
+                    })
+                    .sum()
+            });
+        });
+        self.rows.extend(least.map(|times| (name.map(str::to_owned), times)));
+    }
+
+    /// Prints the table. `unit` is the name of a nanosecond over `count`.
+    pub(crate) fn finish(self, unit: &str, count: f64) {
+        println!("{:<14} {:<14} {:<20} {unit:>10} {:>13}", "light", "part", "method", "point lights");
+        for ([light, part, method], times) in &self.rows {
+            let ns = 1e9 * times.light.as_secs_f64() / count;
+            let ratio = times.light.as_secs_f64() / times.point.as_secs_f64();
+            println!("{light:<14} {part:<14} {method:<20} {ns:>10.1} {ratio:>13.2}");
+        }
+        self.criterion.final_summary();
+    }
+}
