@@ -47,7 +47,35 @@ pub fn respond(light: &LineEmitter, method: Method, at: &ShadingPoint, lobe: &Ph
 /// **Accuracy:** 2e-15 of |B−A|/dᶠ, relative 5e-14, with near, far, short, long and axial lights among the cases
 /// (`closed_form::line`). **Twin:** `shaders/line.wgsl`.
 pub fn line_irradiance(light: &LineEmitter, p: DVec3, n: DVec3) -> f64 {
-    LineFrame::new(light, p).and_then(|line| line.above(n)).map_or(0.0, |visible| visible.irradiance(n, light.falloff))
+    let by_ends = if light.falloff == 2.0 { irradiance_by_ends(light, p, n) } else { None };
+    by_ends.unwrap_or_else(|| {
+        let visible = LineFrame::new(light, p).and_then(|line| line.above(n));
+        visible.map_or(0.0, |visible| visible.irradiance(n, light.falloff))
+    })
+}
+
+/// [`line_irradiance`] for f = 2 without the foot, which a line seen under less than 168° does not need; none otherwise.
+fn irradiance_by_ends(light: &LineEmitter, p: DVec3, n: DVec3) -> Option<f64> {
+    let (mut a, mut b) = (light.a - p, light.b - p);
+    let along = light.b - light.a;
+    let (mut above_a, mut above_b) = (n.dot(a), n.dot(b));
+    let mut visible = 1.0;
+    if above_a.min(above_b) < 0.0 {
+        if above_a.max(above_b) <= 0.0 {
+            return Some(0.0);
+        }
+        visible = above_a.max(above_b) / (above_a - above_b).abs();
+        if above_a < above_b {
+            (a, above_a) = (b - visible * along, 0.0);
+        } else {
+            (b, above_b) = (a + visible * along, 0.0);
+        }
+    }
+    let (r_a, r_b) = (a.length(), b.length());
+    let product = r_a * r_b;
+    let opening = product + a.dot(b);
+    let sum = visible * along.length() * (above_a * r_b + above_b * r_a);
+    (opening > 0.02 * product).then(|| sum / (product * opening))
 }
 
 /// The specular integral ∫ max(0, r·w)ᵐ/rᶠ ds over the part of a line above n's horizon, without (m+1)/(2π).
@@ -104,7 +132,8 @@ impl LineFrame {
         };
         let d = foot.length();
         let beside = a <= 0.0 && b >= 0.0;
-        let distance = if beside { d } else { d.hypot(a.abs().min(b.abs())) };
+        let beyond = if beside { 0.0 } else { a.abs().min(b.abs()) };
+        let distance = (d * d + beyond * beyond).sqrt();
         (distance >= CONTACT).then_some(Self { foot, axis, d, a, b, length })
     }
 

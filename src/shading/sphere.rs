@@ -16,18 +16,40 @@ pub fn respond(light: &SphereEmitter, method: Method, at: &ShadingPoint, lobe: &
         Method::Point => return sphere_point(light, at, lobe),
         _ => {}
     }
-    let cap = Cap::of_sphere(light, at.p, at.n);
     let irradiance = match method {
-        Method::Hermite1 => cap_irradiance_hermite_1(&cap, at.n),
-        Method::Hermite2 => cap_irradiance_hermite_2(&cap, at.n),
-        _ => cap_irradiance(&cap, at.n),
+        Method::Hermite1 => sphere_irradiance_hermite_1(light, at.p, at.n),
+        Method::Hermite2 => sphere_irradiance_hermite_2(light, at.p, at.n),
+        _ => sphere_irradiance(light, at.p, at.n),
     };
-    Response { irradiance, specular: cap_phong(&cap, at.n, at.mirror(), lobe.exponent()) }
+    Response { irradiance, specular: sphere_phong(light, at.p, at.n, at.mirror(), lobe.exponent()) }
 }
 
 /// Irradiance at `p` on a surface of normal `n` from a sphere of luminance 1: [`cap_irradiance`] of its cap.
+///
+/// A sphere at a distance d wholly above the surface's plane is as a point light: E = π r² cos ω/d².
 pub fn sphere_irradiance(light: &SphereEmitter, p: DVec3, n: DVec3) -> f64 {
-    cap_irradiance(&Cap::of_sphere(light, p, n), n)
+    away_from_horizon(light, p, n).unwrap_or_else(|| cap_irradiance(&Cap::of_sphere(light, p, n), n))
+}
+
+/// [`sphere_irradiance`] by [`cap_irradiance_hermite_1`].
+pub fn sphere_irradiance_hermite_1(light: &SphereEmitter, p: DVec3, n: DVec3) -> f64 {
+    away_from_horizon(light, p, n).unwrap_or_else(|| cap_irradiance_hermite_1(&Cap::of_sphere(light, p, n), n))
+}
+
+/// [`sphere_irradiance`] by [`cap_irradiance_hermite_2`].
+pub fn sphere_irradiance_hermite_2(light: &SphereEmitter, p: DVec3, n: DVec3) -> f64 {
+    away_from_horizon(light, p, n).unwrap_or_else(|| cap_irradiance_hermite_2(&Cap::of_sphere(light, p, n), n))
+}
+
+/// The irradiance of a sphere that the horizon does not cut; none where it does, or may do, and for `p` inside.
+fn away_from_horizon(light: &SphereEmitter, p: DVec3, n: DVec3) -> Option<f64> {
+    let to_center = light.center - p;
+    let height = n.dot(to_center);
+    let square = to_center.length_squared();
+    if height.abs() <= light.radius || square <= (light.radius * light.radius).max(CONTACT * CONTACT) {
+        return None;
+    }
+    Some(if height > 0.0 { PI * light.radius * light.radius * height / (square * square.sqrt()) } else { 0.0 })
 }
 
 /// (m+1)/(2π) ∫ (r·ω)ᵐ dω over a sphere where r·ω > 0 and n·ω > 0: [`cap_phong`] of its cap.
@@ -100,7 +122,7 @@ pub fn cap_irradiance(cap: &Cap, n: DVec3) -> f64 {
         return 0.0;
     }
     let q = ((cap.sin - cos_omega) * (cap.sin + cos_omega)).sqrt();
-    let hypotenuse = q.hypot(cap.cos);
+    let hypotenuse = (q * q + cap.cos * cap.cos).sqrt();
     let (sin_delta, cos_delta) = (q / hypotenuse, cap.cos / hypotenuse);
     let segment = circular_segment(q.atan2(cap.cos), sin_delta, cos_delta);
     let beta = q.atan2(-cap.cos * cos_omega);
@@ -144,7 +166,8 @@ fn with_fillet(cap: &Cap, n: DVec3, fillet: impl Fn(f64, f64) -> f64) -> f64 {
     } else if cos_omega <= -cap.sin {
         0.0
     } else {
-        fillet(cap.sin.atan2(cap.cos), cos_omega.atan2(n.cross(cap.center).length())).max(0.0)
+        let sin_omega = n.cross(cap.center).length();
+        fillet(cap.sin.atan2(cap.cos), cos_omega.atan2(sin_omega)).max(0.0)
     }
 }
 
