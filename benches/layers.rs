@@ -13,7 +13,7 @@ use softbox::gpu::{Context, Preview, View};
 use softbox::light::{Light, Quantity, Shape};
 use softbox::scene::{Camera, Scene};
 use softbox::shading::Method;
-use softbox::surface::{self, Material, Surface};
+use softbox::surface::{self, Material, ReflectionModel, Surface};
 
 const SIZE: [u32; 2] = [480, 270];
 /// Lights in the scene, all alike but for their places.
@@ -94,6 +94,7 @@ fn scene(shape: &Shape, specular: f64) -> Scene {
         name: "grey".to_owned(),
         diffuse: DVec3::splat(0.5),
         specular: DVec3::splat(specular),
+        model: ReflectionModel::default(),
         exponent: EXPONENT,
     };
     let surface = |name: &str, position, shape| Surface {

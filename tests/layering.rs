@@ -26,6 +26,9 @@ const PURE: &[&str] = &["math", "light", "shading", "surface", "visibility"];
 const NOT_IN_PURE: &[&str] =
     &["std::fs", "std::io", "std::net", "std::process", "log::", "println!", "eprintln!", "dbg!", "f32"];
 
+/// Image data, which images give in single precision, may stay so in this file.
+const IMAGE_DATA: &str = "light/pattern";
+
 /// Where single precision may be born.
 const SINGLE_PRECISION: &[&str] = &["gpu", "editor", "export", "render", "cli", "analysis"];
 
@@ -88,6 +91,9 @@ fn every_folder_uses_only_what_lies_before_it() {
             let text = fs::read_to_string(&file).expect("a source file is readable");
             for (number, line) in text.lines().enumerate() {
                 lines += 1;
+                if file.to_string_lossy().contains(IMAGE_DATA) && line.contains("f32") {
+                    continue;
+                }
                 found.extend(
                     faults(&folder, line).iter().map(|fault| format!("{}:{}: {fault}", file.display(), number + 1)),
                 );

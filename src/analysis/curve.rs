@@ -184,7 +184,12 @@ impl Subject {
         };
         let lights = scene.lights.iter().filter(|light| !light.muted);
         Self {
-            lights: lights.map(|light| (light.emitter(), light.shape.clone(), light.strength())).collect(),
+            lights: lights
+                .flat_map(|light| {
+                    let parts = light.parts().into_iter();
+                    parts.map(|(emitter, weight)| (emitter, light.shape.clone(), luminance_of(weight)))
+                })
+                .collect(),
             lobe: PhongLobe::new(exponent),
             per_irradiance,
             per_specular,

@@ -1,6 +1,6 @@
 use super::*;
 use crate::light::{Directional, Light, Line, LineEmission, Point, Polygon, Quantity, QuantityKind, Tint};
-use crate::surface::Material;
+use crate::surface::{Material, ReflectionModel};
 
 fn light(shape: Shape, kind: QuantityKind, value: f64) -> Light {
     Light {
@@ -16,7 +16,13 @@ fn light(shape: Shape, kind: QuantityKind, value: f64) -> Light {
 
 fn scene(lights: Vec<Light>) -> Scene {
     let diffuse = DVec3::splat(0.5);
-    let materials = vec![Material { name: "m".to_owned(), diffuse, specular: DVec3::ONE, exponent: 10.0 }];
+    let materials = vec![Material {
+        name: "m".to_owned(),
+        diffuse,
+        specular: DVec3::ONE,
+        model: ReflectionModel::default(),
+        exponent: 10.0,
+    }];
     Scene { materials, lights, ..Scene::default() }
 }
 

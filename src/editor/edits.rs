@@ -7,7 +7,7 @@ use glam::{DVec2, DVec3};
 use super::session::{Item, Session};
 use crate::light::{Light, Polygon, Quantity, QuantityKind, Shape, Tint};
 use crate::scene::{Plot, PlotKind, PlotQuantity, Scene};
-use crate::surface::{self, Material, Surface};
+use crate::surface::{self, Material, ReflectionModel, Surface};
 
 /// How far a copy is put from its original, metres.
 const COPY_OFFSET: DVec3 = DVec3::new(0.25, 0.25, 0.0);
@@ -205,7 +205,13 @@ fn resting_position(shape: &surface::Shape) -> DVec3 {
 }
 
 fn new_material(name: String) -> Material {
-    Material { name, diffuse: DVec3::splat(0.5), specular: DVec3::splat(0.2), exponent: 32.0 }
+    Material {
+        name,
+        diffuse: DVec3::splat(0.5),
+        specular: DVec3::splat(0.2),
+        model: ReflectionModel::default(),
+        exponent: 32.0,
+    }
 }
 
 fn new_plot(name: String, kind: PlotKind) -> Plot {

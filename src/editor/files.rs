@@ -193,7 +193,7 @@ impl App {
 
 /// What *New* starts with: a floor, a ball and a box, and no light yet.
 pub fn starting_scene() -> Scene {
-    use crate::surface::{Material, Shape, Surface};
+    use crate::surface::{Material, ReflectionModel, Shape, Surface};
     use glam::DVec3;
     let surface = |name: &str, position: DVec3, shape| Surface {
         name: name.to_owned(),
@@ -208,6 +208,7 @@ pub fn starting_scene() -> Scene {
             name: "plaster".to_owned(),
             diffuse: DVec3::splat(0.5),
             specular: DVec3::splat(0.2),
+            model: ReflectionModel::default(),
             exponent: 32.0,
         }],
         surfaces: vec![

@@ -42,6 +42,7 @@ pub const SCENES: &[Preset] = &[
     Preset { stem: "letter", text: include_str!("../../presets/scenes/letter.toml") },
     Preset { stem: "three-spheres", text: include_str!("../../presets/scenes/three-spheres.toml") },
     Preset { stem: "line-falloff", text: include_str!("../../presets/scenes/line-falloff.toml") },
+    Preset { stem: "patio", text: include_str!("../../presets/scenes/patio.toml") },
 ];
 
 impl Preset {
@@ -72,7 +73,8 @@ mod tests {
         files.sort();
         let mut stems: Vec<_> = presets.iter().map(|preset| preset.stem).collect();
         stems.sort_unstable();
-        let of_files: Vec<_> = files.iter().filter_map(|file| file.file_stem()?.to_str()).collect();
+        let of_files: Vec<_> =
+            files.iter().filter(|file| file.is_file()).filter_map(|file| file.file_stem()?.to_str()).collect();
         assert_eq!(stems, of_files, "the menu has the folder's files");
         for preset in presets {
             preset.load().unwrap_or_else(|error| panic!("{error}"));

@@ -403,11 +403,17 @@ impl Session {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::surface::Material;
+    use crate::surface::{Material, ReflectionModel};
     use glam::DVec3;
 
     fn material(name: &str) -> Material {
-        Material { name: name.to_owned(), diffuse: DVec3::ONE, specular: DVec3::ZERO, exponent: 8.0 }
+        Material {
+            name: name.to_owned(),
+            diffuse: DVec3::ONE,
+            specular: DVec3::ZERO,
+            model: ReflectionModel::default(),
+            exponent: 8.0,
+        }
     }
 
     fn session() -> Session {

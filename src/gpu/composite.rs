@@ -7,8 +7,9 @@ use super::pass::{self, Binding, Target};
 use super::shader::{Module, Source};
 use super::types::{Composite, Reflectance, Tone, VisibleEmitter, f32_of, u32_of, vec3_of, vec4_of};
 use super::view::View;
-use crate::light::Emitter;
+use crate::light::{Emitter, PolygonEmitter};
 use crate::scene::Scene;
+use crate::shading::{disk, textured};
 use glam::DVec3;
 use std::f64::consts::PI;
 
@@ -65,23 +66,27 @@ impl Mix {
     fn add_emitter(&mut self, emitter: &Emitter, radiance: DVec3, eye: DVec3) {
         let common = VisibleEmitter { radiance: vec3_of(radiance), ..Default::default() };
         match emitter {
-            Emitter::Polygon(polygon) => {
-                self.emitters.push(VisibleEmitter {
-                    vector: vec3_of(polygon.normal),
-                    two_sided: u32::from(polygon.two_sided),
-                    first: u32_of(self.emitter_vertices.len()),
-                    count: u32_of(polygon.vertices.len()),
-                    ..common
-                });
-                self.emitter_vertices.extend(polygon.vertices.iter().map(|vertex| vec4_of(*vertex - eye, 0.0)));
-            }
+            Emitter::Disk(disk) => self.add_polygon(&disk::as_polygon(disk), common, eye),
+            Emitter::Textured(light) => self.add_polygon(&textured::as_polygon(light), common, eye),
+            Emitter::Polygon(polygon) => self.add_polygon(polygon, common, eye),
             Emitter::Sphere(sphere) => self.emitters.push(VisibleEmitter {
                 vector: vec3_of(sphere.center - eye),
                 radius: f32_of(sphere.radius),
                 ..common
             }),
-            Emitter::Line(_) | Emitter::Point(_) | Emitter::Directional(_) => {}
+            Emitter::Line(_) | Emitter::Cap(_) | Emitter::Sky(_) | Emitter::Point(_) | Emitter::Directional(_) => {}
         }
+    }
+
+    fn add_polygon(&mut self, polygon: &PolygonEmitter, common: VisibleEmitter, eye: DVec3) {
+        self.emitters.push(VisibleEmitter {
+            vector: vec3_of(polygon.normal),
+            two_sided: u32::from(polygon.two_sided),
+            first: u32_of(self.emitter_vertices.len()),
+            count: u32_of(polygon.vertices.len()),
+            ..common
+        });
+        self.emitter_vertices.extend(polygon.vertices.iter().map(|vertex| vec4_of(*vertex - eye, 0.0)));
     }
 }
 

@@ -11,7 +11,7 @@ use super::types::{
 };
 use crate::light::{Emitter, LineEmitter, PolygonEmitter, SphereEmitter};
 use crate::shading::cluster::{self, PointOfArea};
-use crate::shading::{Method, PhongLobe};
+use crate::shading::{Method, PhongLobe, disk, textured};
 
 // How a cluster's points emit, in `cluster.wgsl`; isotropic is 0.
 const ONE_SIDED: u32 = 1;
@@ -88,14 +88,20 @@ impl LightData {
                 let position = vec3_of(light.position - eye);
                 Self::without_vertices(Responder::POINT, &PointLight { position, unused: 0 })
             }
-            Emitter::Directional(light) => {
-                let to_light = vec3_of(light.to_light);
-                Self::without_vertices(Responder::DIRECTIONAL, &DirectionalLight { to_light, unused: 0 })
-            }
+            Emitter::Directional(light) => Self::directional(light.to_light),
+            Emitter::Disk(light) => Self::polygon(&disk::as_polygon(light), method, eye),
+            Emitter::Textured(light) => Self::polygon(&textured::as_polygon(light), method, eye),
+            Emitter::Cap(light) => Self::directional(light.to_center),
+            Emitter::Sky(light) => Self::directional(light.zenith),
             Emitter::Polygon(light) => Self::polygon(light, method, eye),
             Emitter::Line(light) => Self::line(light, method, eye),
             Emitter::Sphere(light) => Self::sphere(light, method, eye),
         }
+    }
+
+    fn directional(to_light: DVec3) -> Self {
+        let to_light = vec3_of(to_light);
+        Self::without_vertices(Responder::DIRECTIONAL, &DirectionalLight { to_light, unused: 0 })
     }
 
     fn polygon(light: &PolygonEmitter, method: Method, eye: DVec3) -> Self {

@@ -141,13 +141,14 @@ fn wanted(scene: &Scene, view: &View, jitter: [f32; 2]) -> (Wanted, Mix) {
     let mut wanted =
         Wanted { seen: Seen::new(scene, view, jitter), lobes: lobes(scene), lit: Vec::new(), dark: Vec::new() };
     for light in &scene.lights {
-        let data = LightData::new(&light.emitter(), view.method.for_shape(&light.shape), view.camera.eye);
-        let weight = light.weight();
-        if weight.max_element() > 0.0 {
-            wanted.lit.push(data.clone());
-            mixed.push((data, vec4_of(weight, 0.0)));
-        } else {
-            wanted.dark.push(data);
+        for (emitter, weight) in light.parts() {
+            let data = LightData::new(&emitter, view.method.for_shape(&light.shape), view.camera.eye);
+            if weight.max_element() > 0.0 {
+                wanted.lit.push(data.clone());
+                mixed.push((data, vec4_of(weight, 0.0)));
+            } else {
+                wanted.dark.push(data);
+            }
         }
     }
     let mix = Mix::new(scene, view, mixed);

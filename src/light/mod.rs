@@ -3,21 +3,30 @@
 //! A [`Light`] is what a scene file says. Placing it gives an [`Emitter`]: the same light in world space at unit
 //! strength, which is what `shading` works on. One file a shape.
 
+mod cap;
 mod color;
 mod directional;
+mod disk;
 mod line;
+pub mod pattern;
 mod point;
 mod polygon;
 mod quantity;
+mod sky;
 mod sphere;
+mod textured;
 
+pub use cap::{Cap, CapEmitter};
 pub use color::{Tint, luminance_of, temperature_color};
 pub use directional::{Directional, DirectionalEmitter};
+pub use disk::{Disk, DiskEmitter};
 pub use line::{Line, LineEmission, LineEmitter};
 pub use point::{Point, PointEmitter};
 pub use polygon::{Polygon, PolygonEmitter, PolygonError};
 pub use quantity::{Quantity, QuantityKind};
+pub use sky::{Sky, SkyEmitter};
 pub use sphere::{Sphere, SphereEmitter};
+pub use textured::{Textured, TexturedEmitter};
 
 use glam::{DAffine3, DVec3};
 use schemars::JsonSchema;
@@ -54,6 +63,14 @@ pub enum Shape {
     Line(Line),
     /// A sphere about the origin.
     Sphere(Sphere),
+    /// A flat disk in the XY plane.
+    Disk(Disk),
+    /// A rectangle with a pattern in the XY plane.
+    Textured(Textured),
+    /// A cap of directions about +Z, infinitely far.
+    Cap(Cap),
+    /// The hemisphere of directions about +Z, infinitely far.
+    Sky(Sky),
     /// All of the light at the origin.
     Point(Point),
     /// Parallel light travelling along −Z.
@@ -70,6 +87,14 @@ pub enum Emitter {
     Line(LineEmitter),
     /// See [`SphereEmitter`].
     Sphere(SphereEmitter),
+    /// See [`DiskEmitter`].
+    Disk(DiskEmitter),
+    /// See [`TexturedEmitter`].
+    Textured(TexturedEmitter),
+    /// See [`CapEmitter`].
+    Cap(CapEmitter),
+    /// See [`SkyEmitter`].
+    Sky(SkyEmitter),
     /// See [`PointEmitter`].
     Point(PointEmitter),
     /// See [`DirectionalEmitter`].
@@ -112,13 +137,32 @@ impl Light {
         frame::world_from_local(self.position, self.rotation_deg)
     }
 
-    /// The light placed in the world at unit strength.
+    /// What shines: each part placed in the world at unit strength, and its weight. A light of one colour is one part, a
+    /// coloured pattern three.
+    pub fn parts(&self) -> Vec<(Emitter, DVec3)> {
+        if let Shape::Textured(textured) = &self.shape
+            && let channels @ [_, _, _] = textured.pattern.image.channels()
+        {
+            let world_from_light = self.world_from_light();
+            let place = |channel| Emitter::Textured(textured.place(&world_from_light, channel));
+            return channels.iter().map(place).zip(DVec3::AXES.map(|axis| axis * self.weight())).collect();
+        }
+        vec![(self.emitter(), self.weight())]
+    }
+
+    /// The light placed in the world at unit strength; the first of its [`Self::parts`].
     pub fn emitter(&self) -> Emitter {
         let world_from_light = self.world_from_light();
         match &self.shape {
             Shape::Polygon(polygon) => Emitter::Polygon(polygon.place(&world_from_light)),
             Shape::Line(line) => Emitter::Line(line.place(&world_from_light)),
             Shape::Sphere(sphere) => Emitter::Sphere(sphere.place(&world_from_light)),
+            Shape::Disk(disk) => Emitter::Disk(disk.place(&world_from_light)),
+            Shape::Textured(textured) => {
+                Emitter::Textured(textured.place(&world_from_light, &textured.pattern.image.channels()[0]))
+            }
+            Shape::Cap(cap) => Emitter::Cap(cap.place(&world_from_light)),
+            Shape::Sky(sky) => Emitter::Sky(sky.place(&world_from_light)),
             Shape::Point(_) => Emitter::Point(PointEmitter { position: self.position }),
             Shape::Directional(_) => {
                 Emitter::Directional(DirectionalEmitter { to_light: world_from_light.matrix3.z_axis })
@@ -144,6 +188,10 @@ impl Shape {
             Self::Polygon(_) => "polygon",
             Self::Line(_) => "line",
             Self::Sphere(_) => "sphere",
+            Self::Disk(_) => "disk",
+            Self::Textured(_) => "textured",
+            Self::Cap(_) => "cap",
+            Self::Sky(_) => "sky",
             Self::Point(_) => "point",
             Self::Directional(_) => "directional",
         }
@@ -152,7 +200,9 @@ impl Shape {
     /// The quantity that scales the emitter's unit response.
     pub fn strength_kind(&self) -> QuantityKind {
         match self {
-            Self::Polygon(_) | Self::Sphere(_) => QuantityKind::Luminance,
+            Self::Polygon(_) | Self::Sphere(_) | Self::Disk(_) | Self::Textured(_) | Self::Cap(_) | Self::Sky(_) => {
+                QuantityKind::Luminance
+            }
             Self::Line(_) => QuantityKind::IntensityPerMetre,
             Self::Point(_) => QuantityKind::Intensity,
             Self::Directional(_) => QuantityKind::Illuminance,
@@ -162,7 +212,11 @@ impl Shape {
     /// The quantities in which this shape's emission may be stated.
     pub fn quantity_kinds(&self) -> &'static [QuantityKind] {
         match self {
-            Self::Polygon(_) | Self::Sphere(_) => &[QuantityKind::Luminance, QuantityKind::Flux],
+            Self::Polygon(_) | Self::Sphere(_) | Self::Disk(_) | Self::Textured(_) => {
+                &[QuantityKind::Luminance, QuantityKind::Flux]
+            }
+            Self::Cap(_) => &[QuantityKind::Luminance, QuantityKind::Illuminance],
+            Self::Sky(_) => &[QuantityKind::Luminance],
             Self::Line(_) => &[QuantityKind::IntensityPerMetre, QuantityKind::Flux],
             Self::Point(_) => &[QuantityKind::Intensity, QuantityKind::Flux],
             Self::Directional(_) => &[QuantityKind::Illuminance],
@@ -174,7 +228,8 @@ impl Shape {
     fn everyday_quantity(&self) -> Quantity {
         let kind = self.strength_kind();
         let value = match self {
-            Self::Polygon(_) | Self::Sphere(_) => 1000.0,
+            Self::Polygon(_) | Self::Sphere(_) | Self::Disk(_) | Self::Textured(_) | Self::Cap(_) => 1000.0,
+            Self::Sky(_) => 200.0,
             Self::Line(_) => 200.0,
             Self::Point(_) => 100.0,
             Self::Directional(_) => 500.0,
@@ -187,14 +242,17 @@ impl Shape {
         if kind == self.strength_kind() {
             return 1.0;
         }
-        let flux_per_strength = match self {
-            Self::Polygon(polygon) => polygon.flux_per_luminance(),
-            Self::Line(line) => line.flux_per_intensity_per_metre(),
-            Self::Sphere(sphere) => sphere.flux_per_luminance(),
-            Self::Point(_) => Point::FLUX_PER_INTENSITY,
-            Self::Directional(_) => 0.0,
+        let (other_kind, per_strength) = match self {
+            Self::Polygon(polygon) => (QuantityKind::Flux, polygon.flux_per_luminance()),
+            Self::Line(line) => (QuantityKind::Flux, line.flux_per_intensity_per_metre()),
+            Self::Sphere(sphere) => (QuantityKind::Flux, sphere.flux_per_luminance()),
+            Self::Disk(disk) => (QuantityKind::Flux, disk.flux_per_luminance()),
+            Self::Textured(textured) => (QuantityKind::Flux, textured.flux_per_luminance()),
+            Self::Cap(cap) => (QuantityKind::Illuminance, cap.illuminance_per_luminance()),
+            Self::Point(_) => (QuantityKind::Flux, Point::FLUX_PER_INTENSITY),
+            Self::Sky(_) | Self::Directional(_) => return 0.0,
         };
-        if kind == QuantityKind::Flux && flux_per_strength > 0.0 { flux_per_strength.recip() } else { 0.0 }
+        if kind == other_kind && per_strength > 0.0 { per_strength.recip() } else { 0.0 }
     }
 }
 
@@ -202,7 +260,11 @@ impl Shape {
 mod tests {
     use std::f64::consts::PI;
 
-    use glam::dvec2;
+    use std::sync::Arc;
+
+    use glam::{DVec2, dvec2};
+
+    use super::pattern::{Channel, Image, Pattern};
 
     use super::*;
 
@@ -227,6 +289,40 @@ mod tests {
         let line = Line { length: 1.5, emission: LineEmission::Isotropic, falloff: 2.0 };
         check(Shape::Line(line), QuantityKind::Flux, 4.0 * PI * 1.5);
         check(Shape::Point(Point {}), QuantityKind::Flux, 4.0 * PI);
+        check(Shape::Disk(Disk { radius: 0.5, two_sided: false }), QuantityKind::Flux, PI * PI * 0.25);
+        check(Shape::Cap(Cap { half_angle_deg: 30.0 }), QuantityKind::Illuminance, PI * 0.25);
+        check(textured(), QuantityKind::Flux, PI * 2.0 * 0.75);
+    }
+
+    fn textured() -> Shape {
+        let grey = Channel::new(2, vec![0.0, 1.0, 1.0, 1.0]).expect("two rows of two");
+        let pattern = Pattern { file: "grey.png".to_owned(), image: Image::Grey(Arc::new(grey)) };
+        Shape::Textured(Textured { size: dvec2(2.0, 1.0), pattern, two_sided: false })
+    }
+
+    #[test]
+    fn a_coloured_pattern_is_three_parts_of_one_colour_each() {
+        let channel = |value| Arc::new(Channel::new(1, vec![value]).expect("one texel"));
+        let image = Image::Color([channel(1.0), channel(0.5), channel(0.25)]);
+        let pattern = Pattern { file: "red.png".to_owned(), image };
+        let shape = Shape::Textured(Textured { size: DVec2::ONE, pattern, two_sided: false });
+        let light = Light { tint: Tint::TemperatureK(3000.0), ..Light::new("light", shape) };
+        let parts = light.parts();
+        let sum: DVec3 = parts.iter().map(|(_, weight)| *weight).sum();
+        assert_eq!((parts.len(), sum), (3, light.weight()), "the light's weight, taken apart");
+        for (i, (part, weight)) in parts.iter().enumerate() {
+            let Emitter::Textured(emitter) = part else { panic!("a textured part") };
+            assert_eq!(emitter.pattern.mean(), [1.0, 0.5, 0.25][i], "channel {i}");
+            assert_eq!(*weight, DVec3::AXES[i] * light.weight(), "weight {i}");
+        }
+    }
+
+    #[test]
+    fn an_image_stands_upright_for_who_looks_at_the_lit_side() {
+        let Emitter::Textured(emitter) = Light::new("light", textured()).emitter() else { panic!("textured") };
+        assert_eq!(emitter.point(0.0, 0.0), DVec3::new(1.0, 0.5, 0.0), "row 0 at +Y, column 0 at +X");
+        assert_eq!(emitter.point(1.0, 1.0), DVec3::new(-1.0, -0.5, 0.0), "the last at the other corner");
+        assert_eq!(emitter.column.cross(emitter.row).normalize(), emitter.normal, "corners turn about the lit side");
     }
 
     #[test]
@@ -238,6 +334,10 @@ mod tests {
             Shape::Sphere(Sphere { radius: 0.3 }),
             Shape::Point(Point {}),
             Shape::Directional(Directional {}),
+            Shape::Disk(Disk { radius: 0.5, two_sided: false }),
+            Shape::Cap(Cap { half_angle_deg: 30.0 }),
+            Shape::Sky(Sky::OVERCAST),
+            textured(),
         ];
         for shape in shapes {
             let light = Light::new("light", shape);

@@ -7,6 +7,7 @@
 use glam::{DVec2, DVec3};
 
 use crate::light::{Emitter, PolygonEmitter, SphereEmitter};
+use crate::shading::{disk, textured};
 
 /// An emitter with an area, prepared for rays.
 #[derive(Clone, Debug, PartialEq)]
@@ -32,7 +33,9 @@ impl PlacedEmitter {
         match emitter {
             Emitter::Polygon(polygon) => Self::polygon(polygon),
             Emitter::Sphere(sphere) => Some(Self::Sphere(*sphere)),
-            Emitter::Line(_) | Emitter::Point(_) | Emitter::Directional(_) => None,
+            Emitter::Disk(disk) => Self::polygon(&disk::as_polygon(disk)),
+            Emitter::Textured(textured) => Self::polygon(&textured::as_polygon(textured)),
+            Emitter::Line(_) | Emitter::Cap(_) | Emitter::Sky(_) | Emitter::Point(_) | Emitter::Directional(_) => None,
         }
     }
 

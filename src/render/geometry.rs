@@ -10,7 +10,7 @@ use crate::surface::Placed;
 #[derive(Clone, Debug)]
 pub struct Geometry {
     surfaces: Vec<(Placed, Option<usize>)>,
-    emitters: Vec<(usize, PlacedEmitter)>,
+    emitters: Vec<(usize, PlacedEmitter, DVec3)>,
 }
 
 /// The nearest thing along a ray.
@@ -45,13 +45,21 @@ impl Geometry {
         let emitters = scene.lights.iter().enumerate().filter(|(_, light)| !light.muted);
         Self {
             surfaces: surfaces.collect(),
-            emitters: emitters.filter_map(|(i, light)| Some((i, PlacedEmitter::new(&light.emitter())?))).collect(),
+            emitters: emitters
+                .filter_map(|(i, light)| Some((i, PlacedEmitter::new(&light.emitter())?, light.weight())))
+                .collect(),
         }
     }
 
     /// Index of the material of a surface.
     pub fn material(&self, surface: usize) -> Option<usize> {
         self.surfaces.get(surface)?.1
+    }
+
+    /// Radiance of a light's own surface, cd/m²: its weight, as emitters are of unit luminance.
+    pub fn emitted(&self, light: usize) -> DVec3 {
+        let placed = self.emitters.iter().find(|(i, _, _)| *i == light);
+        placed.map_or(DVec3::ZERO, |(_, _, weight)| *weight)
     }
 
     /// The nearest thing in front of `origin`; of things equally near, a surface, then the first.
@@ -64,7 +72,7 @@ impl Geometry {
                 nearest = Some(Seen { t: hit.t, p: hit.p, n: hit.n, thing: Thing::Surface(i) });
             }
         }
-        for (i, emitter) in &self.emitters {
+        for (i, emitter, _) in &self.emitters {
             if let Some(t) = intersect_emitter(emitter, origin, direction)
                 && nearest.is_none_or(|seen| t < seen.t)
             {

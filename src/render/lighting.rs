@@ -10,7 +10,7 @@ use crate::scene::Scene;
 use crate::shading::{Method, PhongLobe, Response, ShadingPoint, respond};
 use crate::surface::Material;
 
-/// The lights of a scene, each with its method and weight.
+/// The parts of a scene's lights, each with its method and weight.
 #[derive(Clone, Debug)]
 pub struct Lighting {
     lights: Vec<Lit>,
@@ -43,17 +43,11 @@ pub struct Outgoing {
 impl Lighting {
     /// All lights of the scene, in its order.
     pub fn new(scene: &Scene, choice: MethodChoice) -> Self {
-        let lit = scene.lights.iter().map(|light| Lit {
-            emitter: light.emitter(),
-            method: choice.for_shape(&light.shape),
-            weight: light.weight(),
+        let lit = scene.lights.iter().flat_map(|light| {
+            let method = choice.for_shape(&light.shape);
+            light.parts().into_iter().map(move |(emitter, weight)| Lit { emitter, method, weight })
         });
         Self { lights: lit.collect() }
-    }
-
-    /// Radiance of a light's own surface, where its shape has one: its weight, as emitters are of unit luminance.
-    pub(super) fn weight(&self, light: usize) -> DVec3 {
-        self.lights.get(light).map_or(DVec3::ZERO, |light| light.weight)
     }
 
     /// L_out = Σ weight·(k_d/π·E + k_s·S) over the lights, with their unit responses E and S.

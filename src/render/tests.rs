@@ -2,7 +2,7 @@ use std::f64::consts::{FRAC_1_PI, PI};
 
 use super::*;
 use crate::light::{Directional, Light, Quantity, QuantityKind, Shape as LightShape, Sphere, Tint};
-use crate::surface::{Material, Shape, Surface};
+use crate::surface::{Material, ReflectionModel, Shape, Surface};
 
 const SIZE: [u32; 2] = [70, 50];
 
@@ -17,7 +17,13 @@ fn furnace(illuminance: f64, diffuse: DVec3) -> Scene {
         shape,
     };
     Scene {
-        materials: vec![Material { name: "m".to_owned(), diffuse, specular: DVec3::ZERO, exponent: 1.0 }],
+        materials: vec![Material {
+            name: "m".to_owned(),
+            diffuse,
+            specular: DVec3::ZERO,
+            model: ReflectionModel::default(),
+            exponent: 1.0,
+        }],
         surfaces: vec![
             surface("floor", Shape::Plane {}, DVec3::ZERO),
             surface("ball", Shape::Sphere { radius: 0.5 }, DVec3::new(0.0, 0.0, 0.5)),

@@ -65,11 +65,11 @@ pub(super) struct LightEntry {
     #[serde(default)]
     #[schemars(with = "f64")]
     temperature_k: Option<f64>,
-    /// In cd/m²: polygon, sphere.
+    /// In cd/m²: polygon, disk, textured (of a texel of value 1), sphere, cap, sky.
     #[serde(default)]
     #[schemars(with = "f64")]
     luminance: Option<f64>,
-    /// In lm: polygon, line, sphere, point.
+    /// In lm: polygon, disk, textured, line, sphere, point.
     #[serde(default)]
     #[schemars(with = "f64")]
     flux: Option<f64>,
@@ -81,7 +81,7 @@ pub(super) struct LightEntry {
     #[serde(default)]
     #[schemars(with = "f64")]
     intensity_per_metre: Option<f64>,
-    /// In lx, on a surface that faces the light: directional.
+    /// In lx, on a surface that faces the light: cap, directional.
     #[serde(default)]
     #[schemars(with = "f64")]
     illuminance: Option<f64>,

@@ -11,7 +11,7 @@ use toml::ser::ValueSerializer;
 
 use super::{Camera, Display, FORMAT, Plot, Problem, Scene, load, merge, validate};
 use crate::light::{Light, Tint};
-use crate::surface::{Material, Surface};
+use crate::surface::{Material, ReflectionModel, Surface};
 
 /// Why a scene could not be saved. What stood in the file before still stands there.
 #[derive(Debug, thiserror::Error)]
@@ -94,11 +94,12 @@ fn write_display(out: &mut Table, display: &Display) {
 }
 
 fn write_material(out: &mut Table, material: &Material) {
-    let Material { name, diffuse, specular, exponent } = material;
+    let Material { name, diffuse, specular, model, exponent } = material;
     out.header("[[material]]");
     out.key("name", name);
     out.key("diffuse", diffuse);
     out.key("specular", specular);
+    out.key_unless(*model == ReflectionModel::default(), "model", model);
     out.key("exponent", exponent);
 }
 

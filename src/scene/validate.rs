@@ -2,13 +2,14 @@
 
 use std::collections::BTreeSet;
 use std::ops::Bound::{self, Excluded, Included};
+use std::path::Component;
 
 use glam::DVec3;
 
 use super::nearest::{quoted, suggestion};
 use super::{Camera, Display, Path, Plot, PlotKind, Problem, Scene};
-use crate::light::{Light, Line, Polygon, Shape, Sphere, Tint, luminance_of};
-use crate::surface::{self, Material, Surface};
+use crate::light::{Light, Line, Polygon, Shape, Sky, Sphere, Tint, luminance_of};
+use crate::surface::{self, Material, ReflectionModel, Surface};
 
 /// Lengths and coordinates reach this far, metres: squares of them stay within what the GPU's `f32` can hold.
 const FARTHEST: f64 = 1e9;
@@ -67,8 +68,16 @@ const REFLECTANCE: Limits =
     Limits { low: Included(0.0), high: Included(FARTHEST), right: "write a number from 0.0 to 1.0" };
 const EXPONENT: Limits =
     Limits { low: Included(1.0), high: Included(SHARPEST), right: "write a number such as 32.0; larger is sharper" };
+const ROUGHNESS: Limits =
+    Limits { low: Included(0.01), high: Included(1.0), right: "write a slope such as 0.3; smaller is sharper" };
+const FRESNEL: Limits =
+    Limits { low: Included(0.0), high: Included(1.0), right: "write a share such as 0.04, which is glass" };
+const LAFORTUNE: Limits = Limits { low: Included(-1.0), high: Included(1.0), right: "write a factor such as 0.9" };
 const FOV_DEG: Limits =
     Limits { low: Excluded(0.0), high: Excluded(180.0), right: "write an angle in degrees such as 40.0" };
+const CAP_ANGLE_DEG: Limits =
+    Limits { low: Excluded(0.0), high: Included(90.0), right: "write an angle in degrees such as 30.0" };
+const SKY_SHARE: Limits = Limits { low: Included(0.0), high: Included(FARTHEST), right: "write a share such as 1.0" };
 const EXPOSURE_EV: Limits = Limits {
     low: Included(-MOST_EXPOSURE),
     high: Included(MOST_EXPOSURE),
@@ -101,10 +110,25 @@ impl Checker<'_> {
     }
 
     fn material(&mut self, path: &Path, material: &Material) {
-        let Material { name: _, diffuse, specular, exponent } = material;
+        let Material { name: _, diffuse, specular, model, exponent } = material;
         self.vector(&path.key("diffuse"), *diffuse, &REFLECTANCE);
         self.vector(&path.key("specular"), *specular, &REFLECTANCE);
         self.number(&path.key("exponent"), *exponent, &EXPONENT);
+        let path = path.key("model").key(model.name());
+        match *model {
+            ReflectionModel::Phong {} | ReflectionModel::Blinn {} => {}
+            ReflectionModel::CookTorrance { roughness, reflectance } => {
+                self.number(&path.key("roughness"), roughness, &ROUGHNESS);
+                self.number(&path.key("reflectance"), reflectance, &FRESNEL);
+            }
+            ReflectionModel::Lafortune { tangential, normal } => {
+                self.number(&path.key("tangential"), tangential, &LAFORTUNE);
+                self.number(&path.key("normal"), normal, &LAFORTUNE);
+                if tangential == 0.0 && normal == 0.0 {
+                    self.report(&path, "reflects nothing; write { tangential = -1.0, normal = 1.0 }, which is Phong's");
+                }
+            }
+        }
     }
 
     fn surface(&mut self, path: &Path, surface: &Surface) {
@@ -158,6 +182,19 @@ impl Checker<'_> {
                 self.number(&path.key("falloff"), *falloff, &FALLOFF);
             }
             Shape::Sphere(Sphere { radius }) => self.number(&path.key("radius"), *radius, &LENGTH),
+            Shape::Disk(disk) => self.number(&path.key("radius"), disk.radius, &LENGTH),
+            Shape::Textured(textured) => {
+                self.components(&path.key("size"), &textured.size.to_array(), &LENGTH);
+                self.file(&path.key("pattern"), &textured.pattern.file);
+            }
+            Shape::Cap(cap) => self.number(&path.key("half_angle_deg"), cap.half_angle_deg, &CAP_ANGLE_DEG),
+            Shape::Sky(Sky { uniform, cosine }) => {
+                self.number(&path.key("uniform"), *uniform, &SKY_SHARE);
+                self.number(&path.key("cosine"), *cosine, &SKY_SHARE);
+                if *uniform == 0.0 && *cosine == 0.0 {
+                    self.report(&path, "is black; write { uniform = 1.0, cosine = 0.0 } and mute it to have it dark");
+                }
+            }
             Shape::Point(_) | Shape::Directional(_) => {}
         }
     }
@@ -231,6 +268,16 @@ impl Checker<'_> {
     fn text(&mut self, path: &Path, text: &str) {
         if text.contains(char::is_control) {
             self.report(path, format!("{text:?} has control characters; write it on one line"));
+        }
+    }
+
+    /// Files named in a scene stay below its folder.
+    fn file(&mut self, path: &Path, name: &str) {
+        self.text(path, name);
+        let inside = std::path::Path::new(name).components().all(|part| matches!(part, Component::Normal(_)));
+        if name.is_empty() || !inside {
+            let message = format!("`{name}` leaves the scene's folder; write a name such as \"textures/leaf.png\"");
+            self.report(path, if name.is_empty() { "is empty; write a file's name".to_owned() } else { message });
         }
     }
 

@@ -28,23 +28,27 @@ pub fn line_points(light: &LineEmitter, points: u32) -> impl Iterator<Item = DVe
 
 /// A sphere as N lights in directions spread evenly over what the point sees of it, each of the same solid angle; as
 /// [`sphere_point`] for N = 1.
-///
-/// The directions are a spiral by the golden angle about the centre: in the i-th, cos is 1 − (i+½)/N·(1 − cos σ).
 pub fn sphere_cluster(light: &SphereEmitter, points: u32, at: &ShadingPoint, lobe: &PhongLobe) -> Response {
     if points <= 1 {
         return sphere_point(light, at, lobe);
     }
-    let cap = Cap::of_sphere(light, at.p, at.n);
+    cap_cluster(&Cap::of_sphere(light, at.p, at.n), points, at, lobe)
+}
+
+/// A cap as N lights in directions spread evenly over it, each of the same solid angle.
+///
+/// The directions are a spiral by the golden angle about the centre: in the i-th, cos is 1 − (i+½)/N·(1 − cos σ).
+pub fn cap_cluster(cap: &Cap, points: u32, at: &ShadingPoint, lobe: &PhongLobe) -> Response {
     let r = at.mirror();
     let part = cap.solid_angle() / f64::from(points);
     let mut sum = Response::default();
-    for w in cap_directions(&cap, points) {
+    for w in cap_directions(cap, points) {
         sum += direction_response(w, part, at.n, r, lobe);
     }
     sum
 }
 
-/// The directions of [`sphere_cluster`].
+/// The directions of [`cap_cluster`].
 fn cap_directions(cap: &Cap, points: u32) -> impl Iterator<Item = DVec3> {
     let (x_axis, y_axis) = cap.center().any_orthonormal_pair();
     let center = cap.center();

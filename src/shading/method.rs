@@ -48,6 +48,9 @@ impl Method {
                 &[Self::Exact, Self::Chebyshev, Self::NearestPoint, CLUSTER, Self::Point, Self::Reference]
             }
             Shape::Sphere(_) => &[Self::Exact, Self::Hermite1, Self::Hermite2, CLUSTER, Self::Point, Self::Reference],
+            Shape::Cap(_) => &[Self::Exact, Self::Hermite1, Self::Hermite2, CLUSTER, Self::Point, Self::Reference],
+            Shape::Disk(_) | Shape::Textured(_) => &[Self::Exact, CLUSTER, Self::Point, Self::Reference],
+            Shape::Sky(_) => &[Self::Exact, Self::Point, Self::Reference],
             Shape::Point(_) | Shape::Directional(_) => &[Self::Exact],
         }
     }
@@ -63,8 +66,9 @@ impl Method {
         match shape {
             Shape::Polygon(_) => Self::NearestPoint,
             Shape::Line(_) => Self::Chebyshev,
-            Shape::Sphere(_) => Self::Hermite1,
-            Shape::Point(_) | Shape::Directional(_) => Self::Exact,
+            Shape::Sphere(_) | Shape::Cap(_) => Self::Hermite1,
+            Shape::Disk(_) | Shape::Textured(_) => Self::PointCluster(DEFAULT_CLUSTER),
+            Shape::Sky(_) | Shape::Point(_) | Shape::Directional(_) => Self::Exact,
         }
     }
 }

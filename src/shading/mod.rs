@@ -3,14 +3,18 @@
 //! Every function here works on an [`Emitter`]: a light in the world at unit strength. Its [`Response`] times the
 //! light's [`weight`](crate::light::Light::weight) and the material gives radiance.
 
+pub mod cap;
 pub mod cluster;
+pub mod disk;
 pub mod line;
 mod lobe;
 mod method;
 pub mod point;
 pub mod polygon;
 pub mod reference;
+pub mod sky;
 pub mod sphere;
+pub mod textured;
 
 pub use lobe::PhongLobe;
 pub use method::{Method, UnknownMethod};
@@ -56,6 +60,10 @@ pub fn respond(emitter: &Emitter, method: Method, at: &ShadingPoint, lobe: &Phon
         Emitter::Polygon(light) => polygon::respond(light, method, at, lobe),
         Emitter::Line(light) => line::respond(light, method, at, lobe),
         Emitter::Sphere(light) => sphere::respond(light, method, at, lobe),
+        Emitter::Disk(light) => disk::respond(light, method, at, lobe),
+        Emitter::Textured(light) => textured::respond(light, method, at, lobe),
+        Emitter::Cap(light) => cap::respond(light, method, at, lobe),
+        Emitter::Sky(light) => sky::respond(light, method, at, lobe),
         Emitter::Point(light) => point::respond(light, at, lobe),
         Emitter::Directional(light) => point::respond_directional(light, at, lobe),
     }

@@ -99,6 +99,15 @@ pub fn reference(emitter: &Emitter, at: &ShadingPoint, lobe: &PhongLobe) -> Boun
         Emitter::Polygon(light) => polygon_reference(light, at.p, &kernel),
         Emitter::Line(light) => line_reference(light, at.p, &kernel),
         Emitter::Sphere(light) => sphere_reference(light, at.p, &kernel),
+        Emitter::Disk(light) => polygon_reference(&super::disk::as_polygon(light), at.p, &kernel),
+        Emitter::Textured(light) => {
+            polygon_reference(&super::textured::as_polygon(light), at.p, &kernel) * light.pattern.mean()
+        }
+        Emitter::Cap(light) => cap_reference(light.to_center, light.half_angle, &kernel),
+        Emitter::Sky(light) => {
+            cap_reference(light.zenith, std::f64::consts::FRAC_PI_2, &kernel)
+                * (light.uniform + light.cosine * 2.0 / 3.0)
+        }
         Emitter::Point(light) => {
             let to_light = light.position - at.p;
             parallel(to_light.normalize_or_zero(), &kernel) * to_light.length_squared().max(f64::MIN_POSITIVE).recip()

@@ -5,7 +5,7 @@ mod material;
 mod ray;
 mod shape;
 
-pub use material::Material;
+pub use material::{Material, ReflectionModel};
 pub use ray::{Bounds, Hit, Placed};
 pub use shape::Shape;
 

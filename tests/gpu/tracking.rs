@@ -5,7 +5,7 @@ use softbox::gpu::{Pixels, Preview, Stats, View};
 use softbox::light::{Light, Line, LineEmission, Point, Polygon, Quantity, QuantityKind, Shape, Tint};
 use softbox::scene::{Camera, Scene};
 use softbox::shading::Method;
-use softbox::surface::{self, Material, Surface};
+use softbox::surface::{self, Material, ReflectionModel, Surface};
 
 use crate::CONTEXT;
 
@@ -66,8 +66,13 @@ fn light(name: &str, x: f64, kind: QuantityKind, shape: Shape) -> Light {
 
 /// A floor, a ball, and a point, a line and a polygon over them.
 fn scene() -> Scene {
-    let material =
-        Material { name: "grey".to_owned(), diffuse: DVec3::splat(0.5), specular: DVec3::splat(0.2), exponent: 32.0 };
+    let material = Material {
+        name: "grey".to_owned(),
+        diffuse: DVec3::splat(0.5),
+        specular: DVec3::splat(0.2),
+        model: ReflectionModel::default(),
+        exponent: 32.0,
+    };
     let surface = |name: &str, position, shape| Surface {
         name: name.to_owned(),
         material: "grey".to_owned(),

@@ -39,7 +39,6 @@ fn with(passage: &str, replacement: &str) -> String {
 #[track_caller]
 fn check(passage: &str, replacement: &str, expected: &str) {
     assert_eq!(refusal(&with(passage, replacement)), expected, "`{passage}` replaced by `{replacement}`");
-    let _ = expected;
 }
 
 fn window() -> Scene {

@@ -17,7 +17,7 @@ fn presets(folder: &str) -> Vec<(String, String, Scene)> {
         let scene = scene::load(folder.join(&name)).unwrap_or_else(|error| panic!("{error}"));
         (name, text, scene)
     };
-    names(&folder).into_iter().map(open).collect()
+    names(&folder).into_iter().filter(|name| name.ends_with(".toml")).map(open).collect()
 }
 
 #[test]

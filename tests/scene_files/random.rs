@@ -4,7 +4,7 @@ use glam::{DVec2, DVec3};
 use proptest::prelude::*;
 use softbox::light::{self, Light, Quantity, Tint};
 use softbox::scene::{self, Camera, Display, Plot, PlotKind, PlotQuantity, Scene};
-use softbox::surface::{self, Material, Surface};
+use softbox::surface::{self, Material, ReflectionModel, Surface};
 
 use super::WINDOW;
 
@@ -122,8 +122,13 @@ fn any_scene() -> impl Strategy<Value = Scene> {
             number_names(&mut surfaces, |surface| &mut surface.name);
             number_names(&mut lights, |light| &mut light.name);
             number_names(&mut plots, |plot| &mut plot.name);
-            let clay =
-                Material { name: "clay".to_owned(), diffuse: DVec3::splat(0.3), specular: DVec3::ZERO, exponent: 1.5 };
+            let clay = Material {
+                name: "clay".to_owned(),
+                diffuse: DVec3::splat(0.3),
+                specular: DVec3::ZERO,
+                model: ReflectionModel::default(),
+                exponent: 1.5,
+            };
             let display = Display { exposure_ev };
             Scene { name, camera, display, materials: vec![clay], surfaces, lights, plots }
         },

@@ -184,7 +184,7 @@ fn unknown_names_are_refused_and_the_known_ones_told() {
     check(
         SHAPE,
         "textured = { size = [1.0, 1.0], pattern = \"../leaf.png\" }",
-        "window.toml:27:11: light[0].shape.textured: is not known here; known are `polygon`, `line`, `sphere`, `point`, `directional`",
+        "window.toml:27:53: light[0].shape.textured.pattern: `../leaf.png` leaves the scene's folder; write a name such as \"textures/leaf.png\"",
     );
     check(
         SHAPE,
@@ -303,7 +303,7 @@ fn every_problem_is_told_at_once_in_the_order_of_the_text() {
     let text = "format = 1\n\n[[light]]\nname = 3\nshape = 3\nx = 3\n\n[[plot]]\nkind = \"tilted\"\n";
     insta::assert_snapshot!(refusal(text), @r#"
 window.toml:4:8: light[0].name: must be text in quotes, but is the number 3
-window.toml:5:9: light[0].shape: must be a table with one of `polygon`, `line`, `sphere`, `point`, `directional`, but is the number 3
+window.toml:5:9: light[0].shape: must be a table with one of `polygon`, `line`, `sphere`, `disk`, `textured`, `cap`, `sky`, `point`, `directional`, but is the number 3
 window.toml:6:1: light[0].x: is not known here; known are `color`, `flux`, `illuminance`, `intensity`, `intensity_per_metre`, `luminance`, `muted`, `name`, `position`, `rotation_deg`, `shape`, `temperature_k`
 window.toml:8:1: plot[0].name: is missing; write text in quotes (Unique among the plots of a scene)
 window.toml:8:1: plot[0].range: is missing; write a list of 2 numbers (First and last abscissa: degrees for `tilt` and `view`, metres for `line` and `distance`)

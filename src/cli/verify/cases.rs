@@ -316,6 +316,11 @@ fn size(light: &Light, p: DVec3) -> f64 {
             let ratio_squared = light.radius * light.radius / light.center.distance_squared(p);
             2.0 * PI * ratio_squared / (1.0 + (1.0 - ratio_squared).max(0.0).sqrt())
         }
-        Emitter::Point(_) | Emitter::Directional(_) => 0.0,
+        Emitter::Disk(_)
+        | Emitter::Textured(_)
+        | Emitter::Cap(_)
+        | Emitter::Sky(_)
+        | Emitter::Point(_)
+        | Emitter::Directional(_) => 0.0,
     }
 }

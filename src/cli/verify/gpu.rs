@@ -75,7 +75,7 @@ fn ask<'a>(id: &'a str, check: &Check) -> Option<Asked<'a>> {
         }
         (Emitter::Sphere(light), Part::Irradiance) => (twin::SPHERE_IRRADIANCE, sphere_irradiance_case(light, p, n)),
         (Emitter::Sphere(light), Part::Specular) => (twin::SPHERE_PHONG, sphere_phong_case(light, p, n, r, m)),
-        (Emitter::Point(_) | Emitter::Directional(_), _) => return None,
+        _ => return None,
     };
     Some(Asked { id, model: check.name, function, case, factor, in_domain })
 }

@@ -10,7 +10,7 @@ use crate::editor::tools::polygon::is_simple;
 use crate::editor::tools::work_plane::{snapped, snapped_to};
 use crate::editor::viewport::projection::Projection;
 use crate::editor::viewport::ray::Ray;
-use crate::light::{Polygon, Shape};
+use crate::light::{Disk, Polygon, Shape, Sphere};
 use crate::math::frame;
 use crate::surface::Hit;
 
@@ -186,7 +186,9 @@ impl Pull {
                 Shape::Polygon(polygon) => polygon.vertices.iter_mut().for_each(|v| *v *= factors.truncate()),
                 Shape::Line(line) => line.length *= factors.x,
                 Shape::Sphere(sphere) => sphere.radius *= factor,
-                Shape::Point(_) | Shape::Directional(_) => {}
+                Shape::Disk(disk) => disk.radius *= factor,
+                Shape::Textured(textured) => textured.size *= factors.truncate(),
+                Shape::Cap(_) | Shape::Sky(_) | Shape::Point(_) | Shape::Directional(_) => {}
             },
             Subject::Surface(surface) => surface.scale *= factors,
             Subject::Probe(_) => {}
@@ -281,11 +283,13 @@ impl Pull {
     fn radius(&self, start: &Subject, projection: &Projection) -> Option<Change> {
         let Subject::Light(light) = start else { return None };
         let mut light = light.clone();
-        let Shape::Sphere(sphere) = &mut light.shape else { return None };
+        let (Shape::Sphere(Sphere { radius }) | Shape::Disk(Disk { radius, .. })) = &mut light.shape else {
+            return None;
+        };
         let [from, to] =
             self.rays.map(|ray| ray.on_plane(light.position, projection.forward()).map(|p| p.distance(light.position)));
         let least = self.snap.unwrap_or(LEAST);
-        sphere.radius = self.snapped(sphere.radius + to? - from?).max(least);
+        *radius = self.snapped(*radius + to? - from?).max(least);
         Some(Change::To(Subject::Light(light)))
     }
 

@@ -159,9 +159,11 @@ fn inside(corners: &[Pos2], pos: Pos2) -> bool {
 fn turning_axes(subject: &Subject) -> &'static [usize] {
     match subject {
         Subject::Light(light) => match light.shape {
-            light::Shape::Polygon(_) => &[0, 1, 2],
+            light::Shape::Polygon(_) | light::Shape::Textured(_) => &[0, 1, 2],
             light::Shape::Line(_) => &[1, 2],
-            light::Shape::Directional(_) => &[0, 1],
+            light::Shape::Disk(_) | light::Shape::Cap(_) | light::Shape::Sky(_) | light::Shape::Directional(_) => {
+                &[0, 1]
+            }
             light::Shape::Sphere(_) | light::Shape::Point(_) => &[],
         },
         Subject::Surface(surface) => match surface.shape {
@@ -176,10 +178,12 @@ fn turning_axes(subject: &Subject) -> &'static [usize] {
 fn stretching(subject: &Subject) -> (&'static [usize], bool) {
     match subject {
         Subject::Light(light) => match light.shape {
-            light::Shape::Polygon(_) => (&[0, 1], true),
+            light::Shape::Polygon(_) | light::Shape::Textured(_) => (&[0, 1], true),
             light::Shape::Line(_) => (&[0], true),
-            light::Shape::Sphere(_) => (&[], true),
-            light::Shape::Point(_) | light::Shape::Directional(_) => (&[], false),
+            light::Shape::Sphere(_) | light::Shape::Disk(_) => (&[], true),
+            light::Shape::Cap(_) | light::Shape::Sky(_) | light::Shape::Point(_) | light::Shape::Directional(_) => {
+                (&[], false)
+            }
         },
         Subject::Surface(surface) => match surface.shape {
             surface::Shape::Plane {} => (&[], false),
@@ -215,7 +219,15 @@ fn shape_spots(light: &light::Light, projection: &Projection, spots: &mut Vec<Sp
             let [right, _] = projection.right_up();
             spots.extend(dot(Handle::Radius, light.position + sphere.radius * right, projection));
         }
-        light::Shape::Point(_) | light::Shape::Directional(_) => {}
+        light::Shape::Disk(disk) => {
+            let right = world_from_light.matrix3.x_axis;
+            spots.extend(dot(Handle::Radius, light.position + disk.radius * right, projection));
+        }
+        light::Shape::Textured(_)
+        | light::Shape::Cap(_)
+        | light::Shape::Sky(_)
+        | light::Shape::Point(_)
+        | light::Shape::Directional(_) => {}
     }
 }
 

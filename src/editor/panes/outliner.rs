@@ -261,6 +261,10 @@ fn light_icon(shape: &light::Shape) -> MaterialIcon {
         light::Shape::Polygon(_) => icons::ICON_PENTAGON,
         light::Shape::Line(_) => icons::ICON_HORIZONTAL_RULE,
         light::Shape::Sphere(_) => icons::ICON_LENS,
+        light::Shape::Disk(_) => icons::ICON_ADJUST,
+        light::Shape::Textured(_) => icons::ICON_IMAGE,
+        light::Shape::Cap(_) => icons::ICON_NIGHTLIGHT,
+        light::Shape::Sky(_) => icons::ICON_CLOUD,
         light::Shape::Point(_) => icons::ICON_FLARE,
         light::Shape::Directional(_) => icons::ICON_SUNNY,
     }

@@ -43,7 +43,7 @@ fn oddities(scene: &Scene) -> Vec<(Item, String)> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::surface::Material;
+    use crate::surface::{Material, ReflectionModel};
     use glam::DVec3;
 
     #[test]
@@ -52,6 +52,7 @@ mod tests {
             name: "m".to_owned(),
             diffuse: DVec3::splat(diffuse),
             specular: DVec3::splat(0.3),
+            model: ReflectionModel::default(),
             exponent: 8.0,
         };
         let scene = Scene { materials: vec![material(0.5), material(0.8)], ..Scene::default() };

@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 
+use super::pick::outline;
 use crate::light::{Emitter, Light};
 
 /// A sphere around things.
@@ -31,13 +32,13 @@ impl Ball {
 /// Points that span a light: the ball around them holds it.
 pub fn light_points(light: &Light) -> Vec<DVec3> {
     match light.emitter() {
-        Emitter::Polygon(polygon) => polygon.vertices,
+        Emitter::Polygon(_) | Emitter::Disk(_) | Emitter::Textured(_) => outline(light).unwrap_or_default(),
         Emitter::Line(line) => vec![line.a, line.b],
         Emitter::Sphere(sphere) => {
             let reach = DVec3::splat(sphere.radius / 3.0_f64.sqrt());
             vec![sphere.center - reach, sphere.center + reach]
         }
-        Emitter::Point(_) | Emitter::Directional(_) => vec![light.position],
+        Emitter::Cap(_) | Emitter::Sky(_) | Emitter::Point(_) | Emitter::Directional(_) => vec![light.position],
     }
 }
 

@@ -7,7 +7,7 @@ use super::projection::Projection;
 use super::ray::Ray;
 use crate::editor::handles::segment_distance;
 use crate::editor::session::Item;
-use crate::light::{Emitter, Light, PolygonEmitter};
+use crate::light::{Emitter, Light};
 use crate::scene::Scene;
 use crate::surface::{Hit, Placed, Surface};
 
@@ -82,13 +82,16 @@ pub fn pick(scene: &Scene, solids: &Solids, projection: &Projection, pos: Pos2) 
 fn outline_distance(light: &Light, projection: &Projection, pos: Pos2) -> f32 {
     let segment = |a, b| projection.segment(a, b).map_or(f32::MAX, |segment| segment_distance(segment, pos));
     match light.emitter() {
-        Emitter::Polygon(polygon) => closed(&polygon.vertices).map(|[a, b]| segment(a, b)).fold(f32::MAX, f32::min),
+        Emitter::Polygon(_) | Emitter::Disk(_) | Emitter::Textured(_) => {
+            let outline = outline(light).unwrap_or_default();
+            closed(&outline).map(|[a, b]| segment(a, b)).fold(f32::MAX, f32::min)
+        }
         Emitter::Line(line) => segment(line.a, line.b),
         Emitter::Sphere(sphere) => {
             // However small it is on screen, a sphere can be clicked.
             projection.project(sphere.center).map_or(f32::MAX, |at| at.distance(pos))
         }
-        Emitter::Point(_) | Emitter::Directional(_) => {
+        Emitter::Cap(_) | Emitter::Sky(_) | Emitter::Point(_) | Emitter::Directional(_) => {
             projection.project(light.position).map_or(f32::MAX, |at| (at.distance(pos) - SYMBOL).max(0.0))
         }
     }
@@ -97,19 +100,34 @@ fn outline_distance(light: &Light, projection: &Projection, pos: Pos2) -> f32 {
 /// Distance along the ray to a light's face.
 fn face_distance(light: &Light, ray: &Ray) -> Option<f64> {
     match light.emitter() {
-        Emitter::Polygon(polygon) => polygon_distance(&polygon, &light.world_from_light(), ray),
+        Emitter::Polygon(_) | Emitter::Disk(_) | Emitter::Textured(_) => {
+            polygon_distance(&outline(light)?, &light.world_from_light(), ray)
+        }
         Emitter::Sphere(sphere) => ray.sphere_distance(sphere.center, sphere.radius),
-        Emitter::Line(_) | Emitter::Point(_) | Emitter::Directional(_) => None,
+        Emitter::Line(_) | Emitter::Cap(_) | Emitter::Sky(_) | Emitter::Point(_) | Emitter::Directional(_) => None,
     }
 }
 
-fn polygon_distance(polygon: &PolygonEmitter, world_from_light: &DAffine3, ray: &Ray) -> Option<f64> {
-    let t = ray.plane_distance(*polygon.vertices.first()?, polygon.normal)?;
+/// Corners of a disk's outline.
+const RIM: u32 = 64;
+
+/// The outline of a flat light; `None` of others.
+pub fn outline(light: &Light) -> Option<Vec<DVec3>> {
+    match light.emitter() {
+        Emitter::Polygon(polygon) => Some(polygon.vertices),
+        Emitter::Disk(disk) => Some(disk.rim(RIM).collect()),
+        Emitter::Textured(textured) => Some(textured.corners().to_vec()),
+        _ => None,
+    }
+}
+
+fn polygon_distance(outline: &[DVec3], world_from_light: &DAffine3, ray: &Ray) -> Option<f64> {
+    let t = ray.plane_distance(*outline.first()?, world_from_light.matrix3.z_axis)?;
     let light_from_world = world_from_light.inverse();
     let local = |p: DVec3| light_from_world.transform_point3(p).truncate();
     let p = local(ray.at(t));
     let mut inside = false;
-    for [a, b] in closed(&polygon.vertices) {
+    for [a, b] in closed(outline) {
         let (a, b): (DVec2, DVec2) = (local(a), local(b));
         if (a.y > p.y) != (b.y > p.y) && p.x < (b.x - a.x) * (p.y - a.y) / (b.y - a.y) + a.x {
             inside = !inside;

@@ -26,6 +26,25 @@ pub(super) fn show(ui: &mut Ui, fields: &mut Fields<'_>, index: usize) {
         Shape::Sphere(sphere) => {
             fields.number(ui, "Radius", &Number::LENGTH, sphere.radius, at(index, set_radius));
         }
+        Shape::Disk(disk) => {
+            fields.number(ui, "Radius", &Number::LENGTH, disk.radius, at(index, set_radius));
+            fields.toggle(ui, "Two-sided", disk.two_sided, at(index, set_two_sided));
+        }
+        Shape::Textured(textured) => {
+            fields.number(ui, "Width", &Number::LENGTH, textured.size.x, at(index, set_width));
+            fields.number(ui, "Height", &Number::LENGTH, textured.size.y, at(index, set_height));
+            fields.toggle(ui, "Two-sided", textured.two_sided, at(index, set_two_sided));
+            fields.derived(ui, "Pattern", &textured.pattern.file);
+        }
+        Shape::Cap(cap) => {
+            let half_angle = Number { unit: "°", speed: 0.2, range: 0.01..=90.0 };
+            fields.number(ui, "Half-angle", &half_angle, cap.half_angle_deg, at(index, set_half_angle));
+        }
+        Shape::Sky(sky) => {
+            let share = Number { unit: "", speed: 0.01, range: 0.0..=1.0 };
+            fields.number(ui, "Uniform", &share, sky.uniform, at(index, set_uniform));
+            fields.number(ui, "Cosine", &share, sky.cosine, at(index, set_cosine));
+        }
         Shape::Point(_) => fields.derived(ui, "Extent", "none: all of it at the origin"),
         Shape::Directional(_) => fields.derived(ui, "Extent", "parallel light along −Z"),
     });
@@ -124,12 +143,7 @@ fn tint(ui: &mut Ui, fields: &mut Fields<'_>, index: usize, tint: Tint) {
 
 fn polygon_rows(ui: &mut Ui, fields: &mut Fields<'_>, index: usize, polygon: &Polygon) {
     fields.derived(ui, "Area", &format!("{:.4} m²", polygon.area()));
-    let set = at(index, |light, two_sided| {
-        if let Shape::Polygon(polygon) = &mut light.shape {
-            polygon.two_sided = two_sided;
-        }
-    });
-    fields.toggle(ui, "Two-sided", polygon.two_sided, set);
+    fields.toggle(ui, "Two-sided", polygon.two_sided, at(index, set_two_sided));
 }
 
 /// The polygon's corners in its own plane: numbers, and buttons to add and take away.
@@ -199,8 +213,49 @@ fn set_falloff(light: &mut Light, falloff: f64) {
 }
 
 fn set_radius(light: &mut Light, radius: f64) {
-    if let Shape::Sphere(sphere) = &mut light.shape {
-        sphere.radius = radius;
+    match &mut light.shape {
+        Shape::Sphere(sphere) => sphere.radius = radius,
+        Shape::Disk(disk) => disk.radius = radius,
+        _ => {}
+    }
+}
+
+fn set_two_sided(light: &mut Light, two_sided: bool) {
+    match &mut light.shape {
+        Shape::Polygon(polygon) => polygon.two_sided = two_sided,
+        Shape::Disk(disk) => disk.two_sided = two_sided,
+        Shape::Textured(textured) => textured.two_sided = two_sided,
+        _ => {}
+    }
+}
+
+fn set_width(light: &mut Light, width: f64) {
+    if let Shape::Textured(textured) = &mut light.shape {
+        textured.size.x = width;
+    }
+}
+
+fn set_height(light: &mut Light, height: f64) {
+    if let Shape::Textured(textured) = &mut light.shape {
+        textured.size.y = height;
+    }
+}
+
+fn set_half_angle(light: &mut Light, half_angle_deg: f64) {
+    if let Shape::Cap(cap) = &mut light.shape {
+        cap.half_angle_deg = half_angle_deg;
+    }
+}
+
+fn set_uniform(light: &mut Light, uniform: f64) {
+    if let Shape::Sky(sky) = &mut light.shape {
+        sky.uniform = uniform;
+    }
+}
+
+fn set_cosine(light: &mut Light, cosine: f64) {
+    if let Shape::Sky(sky) = &mut light.shape {
+        sky.cosine = cosine;
     }
 }
 

@@ -5,7 +5,7 @@ use glam::DVec3;
 
 use super::{TEXT, label, line};
 use crate::editor::session::{Item, Selection};
-use crate::editor::viewport::pick::{SYMBOL, Solids, closed};
+use crate::editor::viewport::pick::{SYMBOL, Solids, closed, outline};
 use crate::editor::viewport::projection::Projection;
 use crate::light::{Emitter, Light, SphereEmitter};
 use crate::math::frame;
@@ -57,8 +57,8 @@ pub fn paint_lights(
 
 /// Draw a polygon's outline in one colour.
 pub fn paint_outline(light: &Light, stroke: Stroke, projection: &Projection, painter: &Painter) {
-    if let Emitter::Polygon(polygon) = light.emitter() {
-        closed(&polygon.vertices).for_each(|[a, b]| line(a, b, stroke, projection, painter));
+    if let Some(outline) = outline(light) {
+        closed(&outline).for_each(|[a, b]| line(a, b, stroke, projection, painter));
     }
 }
 
@@ -72,17 +72,13 @@ impl Painted<'_> {
     fn light(&self, light: &Light, look: &Look) {
         let emitter = light.emitter();
         let anchor = match &emitter {
-            Emitter::Polygon(polygon) => {
-                closed(&polygon.vertices).for_each(|[a, b]| self.hidden_line(a, b, look.stroke));
-                if look.selected {
-                    let center = polygon.centroid();
-                    self.direction(center, polygon.normal, look.stroke);
-                    if polygon.two_sided {
-                        self.direction(center, -polygon.normal, look.stroke);
-                    }
-                }
-                self.highest(&polygon.vertices)
+            Emitter::Polygon(polygon) => self.flat(light, polygon.centroid(), polygon.normal, polygon.two_sided, look),
+            Emitter::Disk(disk) => self.flat(light, disk.center, disk.normal, disk.two_sided, look),
+            Emitter::Textured(textured) => {
+                self.flat(light, textured.point(0.5, 0.5), textured.normal, textured.two_sided, look)
             }
+            Emitter::Cap(cap) => self.parallel(light, cap.to_center, look),
+            Emitter::Sky(sky) => self.parallel(light, sky.zenith, look),
             Emitter::Line(emitter) => {
                 let stroke = Stroke::new(look.stroke.width + 1.0, look.stroke.color);
                 self.hidden_line(emitter.a, emitter.b, stroke);
@@ -90,21 +86,37 @@ impl Painted<'_> {
             }
             Emitter::Sphere(sphere) => self.sphere(sphere, look.stroke),
             Emitter::Point(point) => self.point(point.position, look.stroke),
-            Emitter::Directional(directional) => {
-                let anchor = self.point(light.position, look.stroke);
-                let axes = frame::rotation_from_deg(light.rotation_deg);
-                let side = 7.0 * self.projection.metres_per_point(light.position);
-                for (x, y) in [(-1.0, -1.0), (1.0, -1.0), (0.0, 1.2)] {
-                    let from = light.position + side * (x * axes.x_axis + y * axes.y_axis);
-                    self.direction(from, -directional.to_light, look.stroke);
-                }
-                anchor
-            }
+            Emitter::Directional(directional) => self.parallel(light, directional.to_light, look),
         };
         if let Some(at) = anchor.filter(|at| look.named && self.painter.clip_rect().contains(*at)) {
             let color = if look.selected { look.stroke.color } else { TEXT.gamma_multiply(0.85) };
             label(&light.name, at - vec2(0.0, 7.0), Align2::CENTER_BOTTOM, color, self.painter);
         }
+    }
+
+    /// A flat light: its outline, and from its middle the directions it emits in when it is selected.
+    fn flat(&self, light: &Light, center: DVec3, normal: DVec3, two_sided: bool, look: &Look) -> Option<Pos2> {
+        let outline = outline(light)?;
+        closed(&outline).for_each(|[a, b]| self.hidden_line(a, b, look.stroke));
+        if look.selected {
+            self.direction(center, normal, look.stroke);
+            if two_sided {
+                self.direction(center, -normal, look.stroke);
+            }
+        }
+        self.highest(&outline)
+    }
+
+    /// A light infinitely far away: a small sun with arrows away from the light.
+    fn parallel(&self, light: &Light, to_light: DVec3, look: &Look) -> Option<Pos2> {
+        let anchor = self.point(light.position, look.stroke);
+        let axes = frame::rotation_from_deg(light.rotation_deg);
+        let side = 7.0 * self.projection.metres_per_point(light.position);
+        for (x, y) in [(-1.0, -1.0), (1.0, -1.0), (0.0, 1.2)] {
+            let from = light.position + side * (x * axes.x_axis + y * axes.y_axis);
+            self.direction(from, -to_light, look.stroke);
+        }
+        anchor
     }
 
     /// A line of the world, faint where surfaces hide it.
