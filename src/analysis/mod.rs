@@ -1,5 +1,7 @@
 //! What is to be learnt from a scene: curves, their errors, and what each method costs.
 
 mod curve;
+mod error_map;
 
 pub use curve::{Curves, Series, curves, methods_for, probe};
+pub use error_map::{Comparison, ErrorMap, Summary, error_map};

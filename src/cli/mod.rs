@@ -1,11 +1,14 @@
 //! The command line: one file a subcommand, each with its `Args` and a `run`.
 
 mod check;
+mod difference;
 mod files;
 mod plot;
 mod probe;
+mod progress;
 mod render;
 mod schema;
+mod size;
 mod verify;
 
 use std::io;
@@ -52,6 +55,7 @@ pub struct Arguments {
 #[derive(Debug, Subcommand)]
 enum Command {
     Render(render::Args),
+    Difference(difference::Args),
     Plot(plot::Args),
     Probe(probe::Args),
     Check(check::Args),
@@ -79,6 +83,7 @@ pub fn run(
 ) -> anyhow::Result<Outcome> {
     match &arguments.command {
         Some(Command::Render(args)) => render::run(args),
+        Some(Command::Difference(args)) => difference::run(args),
         Some(Command::Plot(args)) => plot::run(args),
         Some(Command::Probe(args)) => probe::run(args),
         Some(Command::Check(args)) => check::run(args),

@@ -1,31 +1,17 @@
 //! `softbox render`: a picture of a scene.
 
 use std::path::PathBuf;
-use std::str::FromStr;
-use std::sync::Arc;
-use std::sync::mpsc::{self, RecvTimeoutError};
-use std::thread;
-use std::time::Duration;
 
 use anyhow::bail;
-use indicatif::{ProgressBar, ProgressStyle};
 
-use super::{Outcome, files};
+use super::size::Size;
+use super::{Outcome, files, progress};
 use crate::export;
-use crate::render::{Film, MethodChoice, Progress, Settings, render};
+use crate::render::{Film, MethodChoice, Settings, render};
 use crate::scene::Scene;
-
-/// Largest picture, pixels.
-const MAX_PIXELS: u64 = 1 << 26;
-
-/// Longest side of a picture, pixels.
-const MAX_SIDE: u32 = 1 << 15;
 
 /// Most rays a pixel.
 const MAX_SAMPLES: u32 = 1 << 16;
-
-/// Time between two looks at how far the picture is.
-const BAR_INTERVAL: Duration = Duration::from_millis(50);
 
 /// Render a picture of a scene, without display or GPU.
 #[derive(Debug, clap::Args)]
@@ -61,23 +47,6 @@ enum Renderer {
     Gpu,
 }
 
-/// A picture's width and height.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Size([u32; 2]);
-
-impl FromStr for Size {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let number = |text: &str| text.parse::<u32>().ok().filter(|side| (1..=MAX_SIDE).contains(side));
-        let sides = text.split_once('x').and_then(|(width, height)| Some([number(width)?, number(height)?]));
-        sides
-            .filter(|[width, height]| u64::from(*width) * u64::from(*height) <= MAX_PIXELS)
-            .map(Self)
-            .ok_or_else(|| format!("use WIDTHxHEIGHT, each 1 to {MAX_SIDE}, together at most {MAX_PIXELS} pixels"))
-    }
-}
-
 /// What a picture is written as.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Format {
@@ -106,10 +75,9 @@ pub(super) fn run(args: &Args) -> anyhow::Result<Outcome> {
 
 /// The picture by all cores; none after Ctrl-C.
 fn on_cpu(scene: &Scene, settings: &Settings) -> anyhow::Result<Option<Film>> {
-    let progress = Arc::new(Progress::default());
-    let on_interrupt = Arc::clone(&progress);
-    ctrlc::set_handler(move || on_interrupt.cancel())?;
-    Ok(with_bar(settings, &progress, || render(scene, settings, &progress)))
+    let progress = progress::until_interrupted()?;
+    let pixels = settings.size.map(u64::from).iter().product();
+    Ok(progress::with_bar(pixels, &progress, || render(scene, settings, &progress)))
 }
 
 /// The picture as the editor's preview shows it.
@@ -150,24 +118,4 @@ fn on_gpu(scene: &Scene, settings: &Settings) -> anyhow::Result<Film> {
 #[cfg(not(feature = "gpu"))]
 fn on_gpu(_scene: &Scene, _settings: &Settings) -> anyhow::Result<Film> {
     bail!("this build has no GPU renderer; use --renderer cpu")
-}
-
-/// Do the work beside a progress bar, which shows only where standard error is a terminal.
-fn with_bar<T>(settings: &Settings, progress: &Progress, work: impl FnOnce() -> T) -> T {
-    let [width, height] = settings.size.map(u64::from);
-    let style = ProgressStyle::with_template("{wide_bar} {percent:>3} %  {elapsed}, {eta} left");
-    let bar = ProgressBar::new(width * height).with_style(style.unwrap_or(ProgressStyle::default_bar()));
-    let (finished, is_finished) = mpsc::channel::<()>();
-    thread::scope(|scope| {
-        let bar = &bar;
-        scope.spawn(move || {
-            while is_finished.recv_timeout(BAR_INTERVAL) == Err(RecvTimeoutError::Timeout) {
-                bar.set_position(progress.done());
-            }
-            bar.finish_and_clear();
-        });
-        let result = work();
-        drop(finished);
-        result
-    })
 }

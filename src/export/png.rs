@@ -32,9 +32,15 @@ pub fn rgb(size: [u32; 2], pixels: &[[u8; 3]]) -> Result<Vec<u8>, EncodingError>
 }
 
 /// An opaque SVG picture at `scale` pixels a unit.
+pub fn from_svg(svg: &str, scale: f32) -> Result<Vec<u8>, DrawError> {
+    let (size, pixels) = draw(svg, scale)?;
+    Ok(rgb(size, &pixels)?)
+}
+
+/// Size and pixels of an opaque SVG picture at `scale` pixels a unit.
 ///
 /// Text is set in the font that comes with the program, so that the picture is the same on every machine.
-pub fn from_svg(svg: &str, scale: f32) -> Result<Vec<u8>, DrawError> {
+pub fn draw(svg: &str, scale: f32) -> Result<([u32; 2], Vec<[u8; 3]>), DrawError> {
     let mut options = Options::default();
     options.fontdb_mut().load_font_source(usvg::fontdb::Source::Binary(std::sync::Arc::new(FONT)));
     options.fontdb_mut().set_sans_serif_family(FONT_FAMILY);
@@ -43,8 +49,8 @@ pub fn from_svg(svg: &str, scale: f32) -> Result<Vec<u8>, DrawError> {
     let (width, height) = (size.width(), size.height());
     let mut pixmap = Pixmap::new(width, height).ok_or(DrawError::Size(width, height))?;
     resvg::render(&tree, Transform::from_scale(scale, scale), &mut pixmap.as_mut());
-    let pixels: Vec<[u8; 3]> = pixmap.pixels().iter().map(|p| [p.red(), p.green(), p.blue()]).collect();
-    Ok(rgb([width, height], &pixels)?)
+    let pixels = pixmap.pixels().iter().map(|p| [p.red(), p.green(), p.blue()]).collect();
+    Ok(([width, height], pixels))
 }
 
 /// A sans-serif face with the signs that plots need.

@@ -4,6 +4,7 @@ mod axis;
 mod frame;
 mod legend;
 mod pen;
+mod scale;
 
 use std::fmt::Write as _;
 
@@ -12,6 +13,9 @@ use crate::scene::{Plot, PlotKind};
 use crate::shading::Method;
 use axis::{Axis, Steps};
 use frame::Frame;
+
+pub use axis::three_digits;
+pub use scale::ColorScale;
 
 /// Width of a picture.
 const WIDTH: f64 = 1000.0;

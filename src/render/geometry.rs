@@ -4,6 +4,7 @@ use glam::DVec3;
 
 use super::emitters::{PlacedEmitter, intersect_emitter};
 use crate::scene::Scene;
+use crate::shading::ShadingPoint;
 use crate::surface::Placed;
 
 /// The surfaces of a scene and its visible emitters, prepared for rays.
@@ -33,6 +34,14 @@ pub enum Thing {
     Surface(usize),
     /// The light of that index in the scene.
     Light(usize),
+}
+
+impl Seen {
+    /// The point as one to shade, met by a ray of unit direction: its normal is turned towards the ray's origin.
+    pub fn shading_point(&self, direction: DVec3) -> ShadingPoint {
+        let v = -direction;
+        ShadingPoint { p: self.p, n: if self.n.dot(v) < 0.0 { -self.n } else { self.n }, v }
+    }
 }
 
 impl Geometry {

@@ -5,6 +5,7 @@
 
 mod choice;
 mod emitters;
+pub mod false_colour;
 mod film;
 mod geometry;
 mod lighting;
@@ -23,7 +24,6 @@ use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 
 use crate::scene::{Camera, Scene};
-use crate::shading::ShadingPoint;
 
 /// Edge of the square of pixels that is one piece of work.
 const TILE: u32 = 32;
@@ -46,7 +46,7 @@ pub struct Settings {
     pub samples: u32,
 }
 
-/// How far a picture is, and whether to stop; shared between threads.
+/// How far the work is, and whether to stop; shared between threads.
 #[derive(Debug, Default)]
 pub struct Progress {
     done: AtomicU64,
@@ -54,9 +54,14 @@ pub struct Progress {
 }
 
 impl Progress {
-    /// Pixels finished.
+    /// Steps finished: pixels, where the work is a picture.
     pub fn done(&self) -> u64 {
         self.done.load(Ordering::Relaxed)
+    }
+
+    /// Count steps as finished.
+    pub fn advance(&self, steps: u64) {
+        self.done.fetch_add(steps, Ordering::Relaxed);
     }
 
     /// Ask for an early end.
@@ -153,7 +158,7 @@ impl View {
                 pixels.push(self.pixel(DVec2::new(f64::from(x), f64::from(y))));
             }
         }
-        progress.done.fetch_add(pixels.len() as u64, Ordering::Relaxed);
+        progress.advance(pixels.len() as u64);
         Some(pixels)
     }
 
@@ -195,9 +200,7 @@ impl View {
                 let Some(reflection) = self.geometry.material(surface).and_then(|m| self.reflections.get(m)) else {
                     return DVec3::ZERO;
                 };
-                let v = -direction;
-                let n = if seen.n.dot(v) < 0.0 { -seen.n } else { seen.n };
-                self.lighting.outgoing(reflection, &ShadingPoint { p: seen.p, n, v }).radiance
+                self.lighting.outgoing(reflection, &seen.shading_point(direction)).radiance
             }
         }
     }
@@ -205,7 +208,7 @@ impl View {
 
 /// Where in a pixel its rays go: the Hammersley set, one in each of `samples` columns and, for powers of two, rows. The
 /// scouts come first, spread over it.
-fn pixel_offsets(samples: u32) -> Vec<DVec2> {
+pub fn pixel_offsets(samples: u32) -> Vec<DVec2> {
     let samples = samples.max(1);
     let half = 0.5 / f64::from(samples);
     let mut offsets: Vec<_> = (0..samples)

@@ -113,7 +113,7 @@ fn tick(value: f64, step: f64) -> Tick {
 }
 
 /// A number with three digits that count.
-pub(super) fn three_digits(value: f64) -> String {
+pub fn three_digits(value: f64) -> String {
     if value == 0.0 {
         return "0".to_owned();
     }
