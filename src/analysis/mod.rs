@@ -2,6 +2,10 @@
 
 mod curve;
 mod error_map;
+mod ground;
+mod report;
 
 pub use curve::{Curves, Series, curves, methods_for, probe};
 pub use error_map::{Comparison, ErrorMap, Summary, error_map};
+pub use ground::{Extent, Ground};
+pub use report::{Deviation, Entry, report, subjects};

@@ -1,12 +1,14 @@
 //! The command line: one file a subcommand, each with its `Args` and a `run`.
 
 mod check;
+mod columns;
 mod difference;
 mod files;
 mod plot;
 mod probe;
 mod progress;
 mod render;
+mod report;
 mod schema;
 mod size;
 mod verify;
@@ -58,6 +60,7 @@ enum Command {
     Difference(difference::Args),
     Plot(plot::Args),
     Probe(probe::Args),
+    Report(report::Args),
     Check(check::Args),
     Verify(verify::Args),
     /// Print the JSON Schema of scene files.
@@ -86,6 +89,7 @@ pub fn run(
         Some(Command::Difference(args)) => difference::run(args),
         Some(Command::Plot(args)) => plot::run(args),
         Some(Command::Probe(args)) => probe::run(args),
+        Some(Command::Report(args)) => report::run(args),
         Some(Command::Check(args)) => check::run(args),
         Some(Command::Verify(args)) => verify::run(args),
         Some(Command::Schema) => schema::run(),

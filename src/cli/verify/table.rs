@@ -1,6 +1,6 @@
 //! The table that `verify` prints.
 
-use std::fmt::Write as _;
+use crate::cli::columns;
 
 /// How a row came out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -112,22 +112,7 @@ pub(super) fn render(rows: &[Row]) -> String {
     let heading =
         ["model", "method", "verdict", "cases", "of bound", "rms", "worst (relative)", "worst case"].map(String::from);
     let lines: Vec<[String; 8]> = std::iter::once(heading).chain(rows.iter().map(Row::cells)).collect();
-    let mut widths = [0; 8];
-    for line in &lines {
-        for (width, cell) in widths.iter_mut().zip(line) {
-            *width = cell.chars().count().max(*width);
-        }
-    }
-    let mut text = String::new();
-    for line in &lines {
-        let mut row = String::new();
-        for (width, cell) in widths.iter().zip(line) {
-            let _ = write!(row, "{cell:<width$}  ");
-        }
-        text.push_str(row.trim_end());
-        text.push('\n');
-    }
-    text
+    columns::aligned(&lines)
 }
 
 #[cfg(test)]
