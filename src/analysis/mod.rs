@@ -3,9 +3,11 @@
 mod curve;
 mod error_map;
 mod ground;
+mod pen;
 mod report;
 
 pub use curve::{Curves, Series, curves, methods_for, probe};
 pub use error_map::{Comparison, ErrorMap, Summary, error_map};
 pub use ground::{Extent, Ground};
+pub use pen::Pen;
 pub use report::{Deviation, Entry, report, subjects};

@@ -1,9 +1,9 @@
-//! How the window looks: colours, spacing, type, and the strokes that stand for methods.
+//! How the window looks: colours, spacing, type, and the pens of methods.
 
 use egui::style::WidgetVisuals;
 use egui::{Color32, CornerRadius, FontFamily, FontId, Margin, Shadow, Stroke, TextStyle, Theme, Visuals, vec2};
-use egui_plot::LineStyle;
 
+use crate::analysis::Pen;
 use crate::shading::Method;
 
 /// Width of the inspector's label column, points.
@@ -80,28 +80,15 @@ pub fn accent(visuals: &Visuals) -> Color32 {
     palette(visuals).accent
 }
 
-/// Colour and dash of a method's curve, the same wherever it is drawn.
-pub fn method_stroke(method: Method, visuals: &Visuals) -> (Color32, LineStyle) {
-    let pick = |dark: u32, light: u32| rgb(if visuals.dark_mode { dark } else { light });
-    match method {
-        Method::Exact => (palette(visuals).strong, LineStyle::Solid),
-        Method::Chebyshev => (pick(0x5a_b4_ff, 0x1f_6f_c4), LineStyle::Solid),
-        Method::NearestPoint => (pick(0x4f_d0_a5, 0x0f_80_5c), LineStyle::Solid),
-        Method::Hermite1 => (pick(0xc7_92_ff, 0x7c_3a_c9), LineStyle::Solid),
-        Method::Hermite2 => (pick(0xff_8f_c8, 0xb8_2e_7c), LineStyle::Solid),
-        Method::PointCluster(_) => (pick(0xff_c3_5a, 0xa8_6a_00), LineStyle::dashed_dense()),
-        Method::Point => (pick(0xff_6b_5e, 0xc6_31_22), LineStyle::dashed_loose()),
-        Method::Reference => (palette(visuals).weak, LineStyle::dotted_dense()),
-    }
+/// The curve of a method: colour, and lengths of dashes and gaps in turn.
+pub fn method_pen(method: Method, visuals: &Visuals) -> (Color32, &'static [f32]) {
+    let pen = Pen::of(method);
+    let [r, g, b] = if visuals.dark_mode { pen.on_dark } else { pen.on_light };
+    (Color32::from_rgb(r, g, b), pen.dashes)
 }
 
 fn palette(visuals: &Visuals) -> &'static Palette {
     if visuals.dark_mode { &DARK } else { &LIGHT }
-}
-
-fn rgb(hex: u32) -> Color32 {
-    let [_, r, g, b] = hex.to_be_bytes();
-    Color32::from_rgb(r, g, b)
 }
 
 fn text_styles() -> std::collections::BTreeMap<TextStyle, FontId> {

@@ -3,7 +3,6 @@
 mod axis;
 mod frame;
 mod legend;
-mod pen;
 mod scale;
 
 use std::fmt::Write as _;

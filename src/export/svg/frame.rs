@@ -3,8 +3,8 @@
 use std::fmt::Write as _;
 
 use super::axis::Axis;
-use super::pen::Pen;
 use super::{GRID, WEAK, escaped, number};
+use crate::analysis::Pen;
 use crate::shading::Method;
 
 /// Distance of an ordinate's name from the axis.
@@ -73,7 +73,7 @@ impl Frame {
             let edge = |sign: f64| y.iter().zip(band).map(|(y, band)| y + sign * band).collect::<Vec<_>>();
             let (low, high) = (edge(-1.0), edge(1.0));
             let outline: Vec<_> = self.points(x, &high).chain(self.points(x, &low).rev()).flatten().collect();
-            let color = Pen::of(method).color;
+            let color = color(&Pen::of(method));
             let _ = writeln!(
                 svg,
                 "<path d=\"{}Z\" fill=\"{color}\" fill-opacity=\"0.3\" {clip}/>",
@@ -109,10 +109,18 @@ fn path(points: impl Iterator<Item = Option<[f64; 2]>>) -> String {
 /// The attributes of a method's line.
 pub(super) fn stroke(method: Method) -> String {
     let width = if method == Method::Exact { 2.4 } else { 1.7 };
-    let Pen { color, dashes } = Pen::of(method);
+    let pen = Pen::of(method);
+    let color = color(&pen);
     let mut stroke = format!("fill=\"none\" stroke=\"{color}\" stroke-width=\"{width}\" stroke-linejoin=\"round\"");
-    if !dashes.is_empty() {
-        let _ = write!(stroke, " stroke-dasharray=\"{dashes}\"");
+    if !pen.dashes.is_empty() {
+        let dashes: Vec<_> = pen.dashes.iter().map(f32::to_string).collect();
+        let _ = write!(stroke, " stroke-dasharray=\"{}\"", dashes.join(" "));
     }
     stroke
+}
+
+/// A pen's colour on paper.
+fn color(pen: &Pen) -> String {
+    let [r, g, b] = pen.on_light;
+    format!("#{r:02x}{g:02x}{b:02x}")
 }

@@ -4,8 +4,9 @@ use std::collections::BTreeSet;
 use std::ops::RangeInclusive;
 
 use egui::{Id, Ui, Visuals};
-use egui_plot::{FilledArea, GridInput, GridMark, HoverPosition, Line, LineStyle, PlotPoints};
+use egui_plot::{FilledArea, GridInput, GridMark, HoverPosition, PlotPoints};
 
+use super::curve::Curve;
 use crate::analysis::{Curves, Series};
 use crate::editor::theme;
 use crate::scene::{Plot, PlotKind};
@@ -45,9 +46,7 @@ impl Chart<'_> {
         let errors = self.axes(ui, "errors", error_share * height, false);
         let response = errors.y_axis_label("Error").x_axis_label(self.curves.x_label.clone()).show(ui, |plot| {
             for series in self.visible().filter(|series| series.method != Method::Exact) {
-                let (color, style) = theme::method_stroke(series.method, &visuals);
-                let points = self.points(&series.error, false);
-                plot.line(Line::new(series.method.to_string(), points).color(color).style(style).width(1.5));
+                plot.add(Curve::new(series.method, self.points(&series.error, false), 1.5, &visuals));
             }
         });
         response.response.accessible_name(format!("Errors of {name}"));
@@ -88,8 +87,6 @@ impl Chart<'_> {
     }
 
     fn draw_values(&self, plot: &mut egui_plot::PlotUi<'_>, visuals: &Visuals, series: &Series) {
-        let (color, style) = theme::method_stroke(series.method, visuals);
-        let name = series.method.to_string();
         if let Some(band) = &series.band {
             let edge = |sign: f64| -> Vec<f64> {
                 series.y.iter().zip(band).map(|(y, band)| self.ordinate(y + sign * band, self.logarithmic)).collect()
@@ -97,11 +94,13 @@ impl Chart<'_> {
             let x: Vec<f64> = self.curves.x.iter().map(|x| self.abscissa(*x)).collect();
             let (low, high) = (edge(-1.0), edge(1.0));
             if low.iter().chain(&high).all(|y| y.is_finite()) {
-                plot.add(FilledArea::new(name.clone(), &x, &low, &high).fill_color(color.gamma_multiply(0.35)));
+                let (color, _) = theme::method_pen(series.method, visuals);
+                let name = format!("bound of {}", series.method);
+                plot.add(FilledArea::new(name, &x, &low, &high).fill_color(color.gamma_multiply(0.35)));
             }
         }
-        let width = if style == LineStyle::Solid { 2.0 } else { 1.7 };
-        plot.line(Line::new(name, self.points(&series.y, self.logarithmic)).color(color).style(style).width(width));
+        let width = if series.method == Method::Exact { 2.0 } else { 1.7 };
+        plot.add(Curve::new(series.method, self.points(&series.y, self.logarithmic), width, visuals));
     }
 
     /// A curve's points; those that have no place on a logarithmic axis are left out.

@@ -3,15 +3,17 @@
 use std::collections::BTreeSet;
 
 use egui::{Grid, RichText, Sense, Ui, pos2, vec2};
-use egui_plot::LineStyle;
 
 use super::chart::short;
+use super::curve::dashed;
 use crate::analysis::Series;
 use crate::editor::theme;
 use crate::shading::Method;
 
 /// Width of a column of figures, points.
 const FIGURE_WIDTH: f32 = 54.0;
+/// Width of a sample of a curve, points: the longest pattern of dashes fits.
+const SAMPLE_WIDTH: f32 = 30.0;
 
 /// Show the legend; ticks take methods out of `hidden` and put them in.
 pub(super) fn show(ui: &mut Ui, methods: &[Method], series: &[Series], hidden: &mut BTreeSet<String>) {
@@ -75,21 +77,10 @@ fn duration(ns: f64) -> String {
 
 /// A short piece of the method's curve.
 fn stroke_sample(ui: &mut Ui, method: Method) {
-    let (color, style) = theme::method_stroke(method, ui.visuals());
-    let (rect, _) = ui.allocate_exact_size(vec2(24.0, 12.0), Sense::hover());
+    let (color, dashes) = theme::method_pen(method, ui.visuals());
+    let (rect, _) = ui.allocate_exact_size(vec2(SAMPLE_WIDTH, 12.0), Sense::hover());
     let ends = [pos2(rect.left(), rect.center().y), pos2(rect.right(), rect.center().y)];
-    let stroke = egui::Stroke::new(2.0, color);
-    match style {
-        LineStyle::Solid => {
-            ui.painter().line_segment(ends, stroke);
-        }
-        LineStyle::Dashed { length } => {
-            ui.painter().extend(egui::Shape::dashed_line(&ends, stroke, length, 0.6 * length));
-        }
-        LineStyle::Dotted { spacing } => {
-            ui.painter().extend(egui::Shape::dotted_line(&ends, color, spacing, 1.4));
-        }
-    }
+    ui.painter().extend(dashed(&ends, dashes, egui::Stroke::new(2.0, color)));
 }
 
 #[cfg(test)]

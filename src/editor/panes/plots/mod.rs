@@ -1,6 +1,7 @@
 //! The scene's plots: every method's curve on the same axes, their errors beneath, and a legend with the figures.
 
 mod chart;
+mod curve;
 mod legend;
 
 use std::sync::Arc;
