@@ -18,3 +18,13 @@ pub const ARVO_1995: &str = "Arvo 1995";
 /// T. Nishita and E. Nakamae, *Continuous Tone Representation of Three-Dimensional Objects Taking Account of Shadows
 /// and Interreflection*, SIGGRAPH 1985.
 pub const NISHITA_NAKAMAE_1985: &str = "Nishita & Nakamae 1985";
+
+/// J. F. Blinn, *Models of Light Reflection for Computer Synthesized Pictures*, SIGGRAPH 1977.
+pub const BLINN_1977: &str = "Blinn 1977";
+
+/// R. L. Cook and K. E. Torrance, *A Reflectance Model for Computer Graphics*, ACM Transactions on Graphics 1(1), 1982.
+pub const COOK_TORRANCE_1982: &str = "Cook & Torrance 1982";
+
+/// E. P. F. Lafortune, S.-C. Foo, K. E. Torrance and D. P. Greenberg, *Non-Linear Approximation of Reflectance
+/// Functions*, SIGGRAPH 1997.
+pub const LAFORTUNE_1997: &str = "Lafortune et al. 1997";

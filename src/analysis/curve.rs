@@ -11,7 +11,7 @@ use crate::light::{Emitter, Shape, luminance_of};
 use crate::math::quadrature::Estimate;
 use crate::scene::{Plot, PlotKind, PlotQuantity, Scene};
 use crate::shading::reference::reference;
-use crate::shading::{Method, PhongLobe, Response, ShadingPoint, respond};
+use crate::shading::{Method, PhongLobe, Prepared, Response, ShadingPoint};
 
 /// Points that are shaded between two looks at the clock and at the wish to cancel.
 const BATCH: usize = 8;
@@ -197,31 +197,32 @@ impl Subject {
     }
 
     /// The quantity at one point, with the reference's own bound; other methods state none.
-    fn value(&self, method: Method, at: &ShadingPoint) -> Estimate {
-        let quantity = |(emitter, shape, strength): &(Emitter, Shape, f64)| {
-            let parts = match method.for_shape(shape) {
-                Method::Reference => {
-                    let bounded = reference(emitter, at, &self.lobe);
-                    [bounded.irradiance, bounded.specular]
-                }
-                method => {
-                    let Response { irradiance, specular } = respond(emitter, method, at, &self.lobe);
-                    [irradiance, specular].map(|value| Estimate { value, error: 0.0 })
-                }
+    fn value(&self, lights: &[(Prepared, f64)], at: &ShadingPoint) -> Estimate {
+        let quantity = |(light, strength): &(Prepared, f64)| {
+            let parts = if light.method() == Method::Reference {
+                let bounded = reference(light.emitter(), at, &self.lobe);
+                [bounded.irradiance, bounded.specular]
+            } else {
+                let Response { irradiance, specular } = light.respond(at, &self.lobe);
+                [irradiance, specular].map(|value| Estimate { value, error: 0.0 })
             };
             (parts[0] * self.per_irradiance + parts[1] * self.per_specular) * *strength
         };
-        self.lights.iter().map(quantity).fold(Estimate::default(), |sum, part| sum + part)
+        lights.iter().map(quantity).fold(Estimate::default(), |sum, part| sum + part)
     }
 
     /// One method at every point; none when cancelled.
     fn sweep(&self, method: Method, points: &[ShadingPoint], cancel: &AtomicBool) -> Option<Sweep> {
+        let prepare = |(emitter, shape, strength): &(Emitter, Shape, f64)| {
+            (Prepared::new(emitter, method.for_shape(shape)), *strength)
+        };
+        let lights: Vec<_> = self.lights.iter().map(prepare).collect();
         let batch = |batch: &[ShadingPoint]| {
             if cancel.load(Ordering::Relaxed) {
                 return None;
             }
             let start = Instant::now();
-            let values: Vec<Estimate> = batch.iter().map(|at| self.value(method, at)).collect();
+            let values: Vec<Estimate> = batch.iter().map(|at| self.value(&lights, at)).collect();
             Some((values, 1e9 * start.elapsed().as_secs_f64() / batch.len() as f64))
         };
         let batches: Option<Vec<_>> = points.par_chunks(BATCH).map(batch).collect();

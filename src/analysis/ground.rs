@@ -196,7 +196,8 @@ mod tests {
         assert!((half - 2.0 * light.position.z).abs() < 1e-12 && center.z == 0.0, "{ground} under {light:?}");
         let inside = |at: &ShadingPoint| (at.p - center).abs().max_element() <= half && at.p.z == 0.0;
         assert!(ground.points.iter().all(inside), "{ground}");
-        let [left, right] = [-1.0, 1.0].map(|side| ground.points.iter().filter(|at| (at.p - center).x * side > 0.0).count());
+        let [left, right] =
+            [-1.0, 1.0].map(|side| ground.points.iter().filter(|at| (at.p - center).x * side > 0.0).count());
         assert!(left.abs_diff(right) <= 4, "{left} and {right} points a side");
     }
 }

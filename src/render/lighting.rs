@@ -5,9 +5,8 @@ use std::f64::consts::FRAC_1_PI;
 use glam::DVec3;
 
 use super::MethodChoice;
-use crate::light::Emitter;
 use crate::scene::Scene;
-use crate::shading::{Method, PhongLobe, Response, ShadingPoint, respond};
+use crate::shading::{PhongLobe, Prepared, Response, ShadingPoint};
 use crate::surface::Material;
 
 /// The parts of a scene's lights, each with its method and weight.
@@ -18,8 +17,7 @@ pub struct Lighting {
 
 #[derive(Clone, Debug)]
 struct Lit {
-    emitter: Emitter,
-    method: Method,
+    light: Prepared,
     weight: DVec3,
 }
 
@@ -45,7 +43,8 @@ impl Lighting {
     pub fn new(scene: &Scene, choice: MethodChoice) -> Self {
         let lit = scene.lights.iter().flat_map(|light| {
             let method = choice.for_shape(&light.shape);
-            light.parts().into_iter().map(move |(emitter, weight)| Lit { emitter, method, weight })
+            let parts = light.parts().into_iter();
+            parts.map(move |(emitter, weight)| Lit { light: Prepared::new(&emitter, method), weight })
         });
         Self { lights: lit.collect() }
     }
@@ -53,11 +52,10 @@ impl Lighting {
     /// L_out = Σ weight·(k_d/π·E + k_s·S) over the lights, with their unit responses E and S.
     pub fn outgoing(&self, reflection: &Reflection, at: &ShadingPoint) -> Outgoing {
         let mut sum = Outgoing::default();
-        for light in self.lights.iter().filter(|light| light.weight != DVec3::ZERO) {
-            let Response { irradiance, specular } = respond(&light.emitter, light.method, at, &reflection.lobe);
-            sum.irradiance += irradiance * light.weight;
-            sum.radiance +=
-                light.weight * (FRAC_1_PI * irradiance * reflection.diffuse + specular * reflection.specular);
+        for Lit { light, weight } in self.lights.iter().filter(|lit| lit.weight != DVec3::ZERO) {
+            let Response { irradiance, specular } = light.respond(at, &reflection.lobe);
+            sum.irradiance += irradiance * weight;
+            sum.radiance += weight * (FRAC_1_PI * irradiance * reflection.diffuse + specular * reflection.specular);
         }
         sum
     }

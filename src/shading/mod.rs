@@ -11,13 +11,15 @@ mod lobe;
 mod method;
 pub mod point;
 pub mod polygon;
+mod prepared;
 pub mod reference;
 pub mod sky;
 pub mod sphere;
 pub mod textured;
 
-pub use lobe::PhongLobe;
+pub use lobe::{Lobe, Lobe as PhongLobe};
 pub use method::{Method, UnknownMethod};
+pub use prepared::Prepared;
 
 use glam::DVec3;
 
@@ -51,8 +53,13 @@ pub struct Response {
 }
 
 /// The unit-strength response at a point by a method; methods that a shape does not have answer as
-/// [`Method::Exact`] does (see [`Method::for_shape`]).
+/// [`Method::Exact`] does (see [`Method::for_shape`]). For more than one point, prepare the light: [`Prepared`].
 pub fn respond(emitter: &Emitter, method: Method, at: &ShadingPoint, lobe: &PhongLobe) -> Response {
+    answer(emitter, method, at, lobe)
+}
+
+/// What [`respond`] and [`Prepared::respond`] both are.
+fn answer(emitter: &Emitter, method: Method, at: &ShadingPoint, lobe: &PhongLobe) -> Response {
     if method == Method::Reference {
         return reference::reference(emitter, at, lobe).response();
     }

@@ -53,7 +53,7 @@ pub fn falloff_response(
 pub fn direction_response(w: DVec3, illuminance: f64, n: DVec3, r: DVec3, lobe: &PhongLobe) -> Response {
     let cos_n = n.dot(w);
     if cos_n > 0.0 {
-        Response { irradiance: illuminance * cos_n, specular: illuminance * lobe.density(r.dot(w)) }
+        Response { irradiance: illuminance * cos_n, specular: illuminance * lobe.density(n, r, w) }
     } else {
         Response::default()
     }

@@ -1,0 +1,33 @@
+//! A light prepared for one method.
+
+use super::{Method, PhongLobe, Response, ShadingPoint, answer};
+use crate::light::Emitter;
+
+/// A light, and what a method computes of it once.
+#[derive(Clone, Debug)]
+pub struct Prepared {
+    emitter: Emitter,
+    method: Method,
+}
+
+impl Prepared {
+    /// The light as `method` needs it; see [`respond`](super::respond) for methods that the light does not have.
+    pub fn new(emitter: &Emitter, method: Method) -> Self {
+        Self { emitter: emitter.clone(), method }
+    }
+
+    /// The light.
+    pub fn emitter(&self) -> &Emitter {
+        &self.emitter
+    }
+
+    /// The method.
+    pub fn method(&self) -> Method {
+        self.method
+    }
+
+    /// The unit-strength response at a point.
+    pub fn respond(&self, at: &ShadingPoint, lobe: &PhongLobe) -> Response {
+        answer(&self.emitter, self.method, at, lobe)
+    }
+}
