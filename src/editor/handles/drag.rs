@@ -1,15 +1,16 @@
 //! What a thing becomes while one of its handles is dragged.
 
 use egui::{Pos2, Vec2};
-use glam::{DAffine3, DMat3, DVec2, DVec3};
+use glam::{DAffine3, DMat3, DQuat, DVec2, DVec3};
 
-use super::Handle;
 use super::subject::Subject;
+use super::{Handle, aim_reach};
 use crate::editor::tools::new_light::line_placement;
 use crate::editor::tools::polygon::is_simple;
 use crate::editor::tools::work_plane::{snapped, snapped_to};
 use crate::editor::viewport::projection::Projection;
 use crate::editor::viewport::ray::Ray;
+use crate::editor::viewport::symbol::Symbol;
 use crate::light::{Disk, Polygon, Shape, Sphere};
 use crate::math::frame;
 use crate::surface::Hit;
@@ -18,6 +19,12 @@ use crate::surface::Hit;
 const FINE: f32 = 0.1;
 /// A rotation snaps to multiples of this, degrees.
 const ANGLE_STEP_DEG: f64 = 15.0;
+/// A half-angle snaps to multiples of this, degrees.
+const HALF_ANGLE_STEP_DEG: f64 = 5.0;
+/// A cap's half-angle stays within this, degrees.
+const HALF_ANGLES_DEG: [f64; 2] = [0.1, 90.0];
+/// A disk seen at a smaller cosine than this is measured in the plane that faces the eye.
+const LEAST_FACING: f64 = 0.2;
 /// A scale snaps to multiples of this.
 const SCALE_STEP: f64 = 0.1;
 /// Nothing is scaled to less than this, nor has a smaller radius in metres.
@@ -65,7 +72,10 @@ impl Drag {
             Handle::Vertex(_) => "Move vertex",
             Handle::Edge(_) => "Move edge",
             Handle::End(_) => "Move end",
+            Handle::Frame(_) => "Change size",
             Handle::Radius => "Change radius",
+            Handle::HalfAngle => "Change half-angle",
+            Handle::Aim => "Aim",
             Handle::Probe => "Move probe",
         }
     }
@@ -97,7 +107,10 @@ impl Drag {
             Handle::Vertex(i) => pull.vertex(start, i),
             Handle::Edge(i) => pull.edge(start, i),
             Handle::End(i) => pull.end(start, i, projection),
+            Handle::Frame(signs) => pull.frame(start, signs),
             Handle::Radius => pull.radius(start, projection),
+            Handle::HalfAngle => pull.half_angle(start, projection),
+            Handle::Aim => pull.aimed(start, projection),
             Handle::Probe => pull.probe(start, under),
         }
     }
@@ -279,15 +292,83 @@ impl Pull {
         Some(Change::To(Subject::Light(light)))
     }
 
-    /// A sphere's radius changed by how much further from the centre the pointer is than where it took hold.
+    /// A rectangle with one side or corner moved in its plane, the opposite one where it was.
+    fn frame(&self, start: &Subject, signs: [i8; 2]) -> Option<Change> {
+        let Subject::Light(light) = start else { return None };
+        let mut light = light.clone();
+        let world_from_light = light.world_from_light();
+        let Shape::Textured(textured) = &mut light.shape else { return None };
+        let signs = DVec2::from_array(signs.map(f64::from));
+        let held = 0.5 * signs * textured.size;
+        let moved = self.snapped_in_plane(&world_from_light, held + self.shift_in_plane(&world_from_light, held)?);
+        let extent = (signs * (moved + held)).max(DVec2::splat(LEAST));
+        textured.size = DVec2::select(signs.cmpeq(DVec2::ZERO), textured.size, extent);
+        let center = 0.5 * signs * textured.size - held;
+        light.position = world_from_light.transform_point3(center.extend(0.0));
+        Some(Change::To(Subject::Light(light)))
+    }
+
+    /// A cap whose rim is as far from its middle as the pointer is further out than where it took hold.
+    fn half_angle(&self, start: &Subject, projection: &Projection) -> Option<Change> {
+        let Subject::Light(light) = start else { return None };
+        let mut light = light.clone();
+        let axis = light.world_from_light().matrix3.z_axis;
+        let reach = Symbol::new(&light, projection).tip().distance(light.position);
+        let Shape::Cap(cap) = &mut light.shape else { return None };
+        let [from, to] = self.directions(light.position, reach, axis, projection).map(|direction| {
+            let angle = axis.cross(direction).length().atan2(axis.dot(direction));
+            angle.to_degrees()
+        });
+        let angle = cap.half_angle_deg + to - from;
+        let angle = if self.snap.is_some() { snapped_to(angle, HALF_ANGLE_STEP_DEG) } else { angle };
+        cap.half_angle_deg = angle.clamp(HALF_ANGLES_DEG[0], HALF_ANGLES_DEG[1]);
+        Some(Change::To(Subject::Light(light)))
+    }
+
+    /// A light whose +Z follows the pointer over a sphere about it.
+    fn aimed(&self, start: &Subject, projection: &Projection) -> Option<Change> {
+        let rotation = start.rotation();
+        let axis = rotation.z_axis;
+        let center = start.position();
+        let [from, to] = self.directions(center, aim_reach(center, projection), axis, projection);
+        let mut aim = DQuat::from_rotation_arc(from, to) * axis;
+        if self.snap.is_some() {
+            let step = |angle: f64| snapped_to(angle.to_degrees(), ANGLE_STEP_DEG).to_radians();
+            let theta = step(aim.x.hypot(aim.y).atan2(aim.z));
+            let phi = step(aim.y.atan2(aim.x));
+            aim = DVec3::new(theta.sin() * phi.cos(), theta.sin() * phi.sin(), theta.cos());
+        }
+        let turn = DMat3::from_quat(DQuat::from_rotation_arc(axis, aim));
+        Some(Change::To(start.clone().turned(turn * rotation)))
+    }
+
+    /// Directions from `center` to where the rays meet a sphere about it: on its far side where `axis` is, which is
+    /// held, and at the edge where they pass it by.
+    fn directions(&self, center: DVec3, radius: f64, axis: DVec3, projection: &Projection) -> [DVec3; 2] {
+        let far = axis.dot(projection.camera().eye - center) < 0.0;
+        self.rays.map(|ray| {
+            let along = (center - ray.origin).dot(ray.direction);
+            let nearest = ray.at(along);
+            let half_chord = (radius * radius - nearest.distance_squared(center)).max(0.0).sqrt();
+            let t = if far { along + half_chord } else { along - half_chord };
+            (ray.at(t) - center).normalize_or(axis)
+        })
+    }
+
+    /// A sphere's or disk's radius changed by how much further from the centre the pointer is than where it took hold.
     fn radius(&self, start: &Subject, projection: &Projection) -> Option<Change> {
         let Subject::Light(light) = start else { return None };
         let mut light = light.clone();
-        let (Shape::Sphere(Sphere { radius }) | Shape::Disk(Disk { radius, .. })) = &mut light.shape else {
-            return None;
+        let axis = light.world_from_light().matrix3.z_axis;
+        let (radius, normal) = match &mut light.shape {
+            Shape::Sphere(Sphere { radius }) => (radius, projection.forward()),
+            Shape::Disk(Disk { radius, .. }) if self.rays[0].direction.dot(axis).abs() >= LEAST_FACING => {
+                (radius, axis)
+            }
+            Shape::Disk(Disk { radius, .. }) => (radius, projection.forward()),
+            _ => return None,
         };
-        let [from, to] =
-            self.rays.map(|ray| ray.on_plane(light.position, projection.forward()).map(|p| p.distance(light.position)));
+        let [from, to] = self.rays.map(|ray| ray.on_plane(light.position, normal).map(|p| p.distance(light.position)));
         let least = self.snap.unwrap_or(LEAST);
         *radius = self.snapped(*radius + to? - from?).max(least);
         Some(Change::To(Subject::Light(light)))

@@ -2,6 +2,8 @@
 
 use super::*;
 use crate::editor::tools::new_light;
+use crate::light::pattern::Pattern;
+use crate::light::{Cap, Textured};
 use crate::scene::{Camera, Plot, PlotKind, PlotQuantity};
 use egui::{Rect, pos2};
 use glam::dvec2;
@@ -168,4 +170,82 @@ fn a_probe_takes_place_and_normal_of_the_surface_under_the_pointer() {
     let change = drag.change(&projection(), None, |_| Some(Hit { t: 1.0, p, n: DVec3::NEG_Y }));
     let Some(Change::To(Subject::Probe(moved))) = change else { panic!("a moved probe, not {change:?}") };
     assert_eq!((moved.position, moved.normal), (p, DVec3::NEG_Y), "on the surface");
+}
+
+fn of_shape(shape: Shape) -> Subject {
+    let light = crate::light::Light::new("light", shape);
+    Subject::Light(crate::light::Light { position: DVec3::new(0.0, 0.0, 2.0), ..light })
+}
+
+#[test]
+fn a_rectangles_side_and_corner_move_and_the_opposite_ones_stay() {
+    let rectangle = || {
+        of_shape(Shape::Textured(Textured {
+            size: dvec2(2.0, 1.0),
+            pattern: Pattern::unread("leaf.png"),
+            two_sided: false,
+        }))
+    };
+    for (signs, from, to, size, center) in [
+        ([1, 0], dvec2(1.0, 0.0), dvec2(1.4, 0.3), dvec2(2.4, 1.0), dvec2(0.2, 0.0)),
+        ([0, -1], dvec2(0.0, -0.5), dvec2(0.3, -0.9), dvec2(2.0, 1.4), dvec2(0.0, -0.2)),
+        ([-1, 1], dvec2(-1.0, 0.5), dvec2(-1.2, 0.9), dvec2(2.2, 1.4), dvec2(-0.1, 0.2)),
+        // Pulled over the opposite side, it stops at the least size.
+        ([1, 0], dvec2(1.0, 0.0), dvec2(-3.0, 0.0), dvec2(LEAST, 1.0), dvec2(-1.0 + 0.5 * LEAST, 0.0)),
+    ] {
+        let changed = light(dragged(rectangle(), Handle::Frame(signs), from.extend(2.0), to.extend(2.0), None));
+        let Shape::Textured(textured) = &changed.shape else { panic!("a rectangle") };
+        assert!(textured.size.distance(size) < 1e-4, "{signs:?}: size {}", textured.size);
+        assert!(changed.position.distance(center.extend(2.0)) < 1e-4, "{signs:?}: centre {}", changed.position);
+    }
+}
+
+#[test]
+fn a_disks_rim_is_pulled_anywhere_to_another_radius() {
+    let disk = || of_shape(Shape::Disk(Disk { radius: 0.5, two_sided: false }));
+    for turn in [0.0, 1.0, 2.5, 4.0] {
+        let direction = DVec2::from_angle(turn).extend(0.0);
+        let at = |radius: f64| DVec3::new(0.0, 0.0, 2.0) + radius * direction;
+        let changed = light(dragged(disk(), Handle::Radius, at(0.5), at(0.8), None));
+        let Shape::Disk(Disk { radius, .. }) = changed.shape else { panic!("a disk") };
+        assert!((radius - 0.8).abs() < 1e-4, "at {turn}: radius {radius}");
+    }
+}
+
+#[test]
+fn a_caps_rim_is_pulled_to_another_half_angle() {
+    let Subject::Light(cap) = of_shape(Shape::Cap(Cap { half_angle_deg: 20.0 })) else { panic!("a light") };
+    let symbol = Symbol::new(&cap, &projection());
+    let at = |angle_deg: f64| symbol.point(angle_deg.to_radians(), 0.0);
+    for (to, snap, expected) in [(35.0, None, 35.0), (33.0, Some(0.1), 35.0), (-20.0, None, 20.0)] {
+        let pulled = dragged(Subject::Light(cap.clone()), Handle::HalfAngle, at(20.0), at(to), snap);
+        let Shape::Cap(Cap { half_angle_deg }) = light(pulled).shape else { panic!("a cap") };
+        assert!((half_angle_deg - expected).abs() < 0.05, "to {to}: {half_angle_deg}");
+    }
+}
+
+#[test]
+fn a_far_light_is_aimed_by_its_pin_on_either_side_of_its_symbol() {
+    let center = DVec3::new(0.0, 0.0, 2.0);
+    let reach = aim_reach(center, &projection());
+    for (start, to) in [(DVec3::Z, DVec3::new(0.3, -0.4, 0.9)), (DVec3::new(-0.3, 0.8, 0.5), DVec3::new(0.0, 0.9, 0.2))]
+    {
+        let [start, to] = [start.normalize(), to.normalize()];
+        let rotation = DMat3::from_quat(DQuat::from_rotation_arc(DVec3::Z, start));
+        let sky = of_shape(Shape::Sky(crate::light::Sky::OVERCAST)).turned(rotation);
+        let aimed = light(dragged(sky, Handle::Aim, center + reach * start, center + reach * to, None));
+        let axis = aimed.world_from_light().matrix3.z_axis;
+        assert!(axis.distance(to) < 1e-3, "from {start}: {axis}, not {to}");
+        assert_eq!(aimed.position, center, "it stays where it is");
+    }
+    let snapped = light(dragged(
+        of_shape(Shape::Directional(crate::light::Directional {})),
+        Handle::Aim,
+        center + reach * DVec3::Z,
+        center + reach * DVec3::new(0.2, -0.25, 0.92).normalize(),
+        Some(0.1),
+    ));
+    let axis = snapped.world_from_light().matrix3.z_axis;
+    let theta = axis.truncate().length().atan2(axis.z).to_degrees();
+    assert!((theta - 15.0).abs() < 1e-6, "snapped to {theta}");
 }

@@ -15,6 +15,7 @@ use glam::DVec3;
 use self::subject::Subject;
 use super::session::Tool;
 use super::viewport::projection::Projection;
+use super::viewport::symbol::Symbol;
 use crate::light;
 use crate::surface;
 
@@ -37,8 +38,14 @@ pub enum Handle {
     Edge(usize),
     /// Move an end of a line: 0 or 1.
     End(usize),
-    /// Change a sphere's radius.
+    /// Move a rectangle's side or corner: which, by the signs of its coordinates.
+    Frame([i8; 2]),
+    /// Change a sphere's or a disk's radius.
     Radius,
+    /// Change a cap's half-angle.
+    HalfAngle,
+    /// Turn a light infinitely far away to where it comes from.
+    Aim,
     /// Move a probe over the surfaces.
     Probe,
 }
@@ -50,6 +57,8 @@ pub enum Outline {
     Dot(Pos2),
     /// A small diamond.
     Diamond(Pos2),
+    /// A dot at the end of a thin line; the dot alone is held.
+    Pin([Pos2; 2]),
     /// From the centre to a tip.
     Arrow([Pos2; 2]),
     /// From the centre to a knob.
@@ -83,6 +92,10 @@ const REACH: f32 = 7.0;
 const DOT: f32 = 4.5;
 /// What counts as the distance of the inside of a patch, points.
 const INSIDE: f32 = 3.0;
+/// Distance of the handle that aims a light, beyond the arrows that move it, screen points.
+const AIM: f64 = 112.0;
+/// Sides and corners of a rectangle.
+const FRAME: [[i8; 2]; 8] = [[1, 1], [-1, 1], [-1, -1], [1, -1], [1, 0], [0, 1], [-1, 0], [0, -1]];
 /// Segments of a ring.
 const RING_SEGMENTS: u32 = 64;
 
@@ -116,7 +129,7 @@ impl Outline {
     /// Distance on screen from `pos`. Inside of a patch it is `INSIDE`, so that an arrow before it can be had.
     pub fn distance(&self, pos: Pos2) -> f32 {
         match self {
-            Self::Dot(at) | Self::Diamond(at) => (at.distance(pos) - DOT).max(0.0),
+            Self::Dot(at) | Self::Diamond(at) | Self::Pin([_, at]) => (at.distance(pos) - DOT).max(0.0),
             // The root of an arrow belongs to the squares and to what lies there.
             Self::Arrow([from, to]) | Self::Lever([from, to]) => segment_distance([from.lerp(*to, 0.25), *to], pos),
             Self::Patch(corners) => {
@@ -220,19 +233,55 @@ fn shape_spots(light: &light::Light, projection: &Projection, spots: &mut Vec<Sp
             spots.extend(dot(Handle::Radius, light.position + sphere.radius * right, projection));
         }
         light::Shape::Disk(disk) => {
-            let right = world_from_light.matrix3.x_axis;
+            let [right, up] = [world_from_light.matrix3.x_axis, world_from_light.matrix3.y_axis];
             spots.extend(dot(Handle::Radius, light.position + disk.radius * right, projection));
+            let pieces = circle(light.position, disk.radius * right, disk.radius * up, projection);
+            spots.push(Spot { handle: Handle::Radius, outline: Outline::Ring(pieces) });
         }
-        light::Shape::Textured(_)
-        | light::Shape::Cap(_)
-        | light::Shape::Sky(_)
-        | light::Shape::Point(_)
-        | light::Shape::Directional(_) => {}
+        light::Shape::Textured(textured) => {
+            let half = [0.5 * textured.size.x, 0.5 * textured.size.y];
+            let at = |[x, y]: [i8; 2]| DVec3::new(f64::from(x) * half[0], f64::from(y) * half[1], 0.0);
+            spots.extend(FRAME.into_iter().filter_map(|signs| {
+                let at = projection.project(world_from_light.transform_point3(at(signs)))?;
+                let corner = !signs.contains(&0);
+                let outline = if corner { Outline::Dot(at) } else { Outline::Diamond(at) };
+                Some(Spot { handle: Handle::Frame(signs), outline })
+            }));
+        }
+        light::Shape::Cap(cap) => {
+            let rim = Symbol::new(light, projection).point(cap.half_angle_deg.to_radians(), 0.0);
+            spots.extend(dot(Handle::HalfAngle, rim, projection));
+            spots.extend(aim(light, projection));
+        }
+        light::Shape::Sky(_) | light::Shape::Directional(_) => spots.extend(aim(light, projection)),
+        light::Shape::Point(_) => {}
     }
 }
 
 fn dot(handle: Handle, p: DVec3, projection: &Projection) -> Option<Spot> {
     projection.project(p).map(|at| Spot { handle, outline: Outline::Dot(at) })
+}
+
+/// The handle in the direction that a light comes from.
+fn aim(light: &light::Light, projection: &Projection) -> Option<Spot> {
+    let to_light = light.world_from_light().matrix3.z_axis;
+    let tip = light.position + aim_reach(light.position, projection) * to_light;
+    let ends = [projection.project(light.position)?, projection.project(tip)?];
+    Some(Spot { handle: Handle::Aim, outline: Outline::Pin(ends) })
+}
+
+/// Distance from `center` to the handle that aims, metres.
+fn aim_reach(center: DVec3, projection: &Projection) -> f64 {
+    AIM * projection.metres_per_point(center)
+}
+
+/// The circle on screen of which `u` and `v` are radii.
+fn circle(center: DVec3, u: DVec3, v: DVec3, projection: &Projection) -> Vec<[Pos2; 2]> {
+    let at = |i: u32| {
+        let (sin, cos) = (std::f64::consts::TAU * f64::from(i) / f64::from(RING_SEGMENTS)).sin_cos();
+        center + cos * u + sin * v
+    };
+    (0..RING_SEGMENTS).filter_map(|i| projection.segment(at(i), at(i + 1))).collect()
 }
 
 /// Axes of constant size on screen, about a thing.
@@ -291,12 +340,8 @@ impl<'a> Gizmo<'a> {
         if self.facing(self.own[axis]) < LEAST_FACING {
             return None;
         }
-        let [u, v] = [self.own[(axis + 1) % 3], self.own[(axis + 2) % 3]];
-        let at = |i: u32| {
-            let (sin, cos) = (std::f64::consts::TAU * f64::from(i) / f64::from(RING_SEGMENTS)).sin_cos();
-            self.center + self.size * (cos * u + sin * v)
-        };
-        let pieces = (0..RING_SEGMENTS).filter_map(|i| self.projection.segment(at(i), at(i + 1))).collect();
+        let [u, v] = [self.own[(axis + 1) % 3], self.own[(axis + 2) % 3]].map(|own| self.size * own);
+        let pieces = circle(self.center, u, v, self.projection);
         Some(Spot { handle: Handle::Ring(axis), outline: Outline::Ring(pieces) })
     }
 
@@ -330,6 +375,16 @@ mod tests {
         Subject::Light(new_light::polygon(&corners, 2.0))
     }
 
+    fn of_shape(shape: light::Shape) -> Subject {
+        let light = light::Light::new("light", shape);
+        Subject::Light(light::Light { position: DVec3::new(0.0, 0.0, 2.0), ..light })
+    }
+
+    fn textured() -> light::Shape {
+        let pattern = light::pattern::Pattern::unread("leaf.png");
+        light::Shape::Textured(light::Textured { size: dvec2(2.0, 1.0), pattern, two_sided: false })
+    }
+
     fn handles(spots: &[Spot]) -> Vec<Handle> {
         spots.iter().map(|spot| spot.handle).collect()
     }
@@ -337,18 +392,34 @@ mod tests {
     #[test]
     fn every_handle_is_hit_where_it_is_drawn() {
         let projection = projection(DVec3::new(4.0, -5.0, 6.5));
-        let spots = spots(&square(), Tool::Move, &projection);
-        assert_eq!(spots.len(), 4 + 4 + 3 + 3, "{:?}", handles(&spots));
-        for spot in &spots {
+        let moves = 3 + 3;
+        for (subject, own) in [
+            (square(), 4 + 4),
+            (of_shape(light::Shape::Disk(light::Disk { radius: 1.0, two_sided: false })), 2),
+            (of_shape(textured()), 8),
+            (of_shape(light::Shape::Cap(light::Cap { half_angle_deg: 20.0 })), 2),
+            (of_shape(light::Shape::Sky(light::Sky::OVERCAST)), 1),
+            (of_shape(light::Shape::Directional(light::Directional {})), 1),
+            (of_shape(light::Shape::Point(light::Point {})), 0),
+        ] {
+            let spots = spots(&subject, Tool::Move, &projection);
+            assert_eq!(spots.len(), own + moves, "{:?}", handles(&spots));
+            check_hits(&spots);
+        }
+    }
+
+    #[track_caller]
+    fn check_hits(spots: &[Spot]) {
+        for spot in spots {
             let at = match &spot.outline {
-                Outline::Dot(at) | Outline::Diamond(at) => *at,
+                Outline::Dot(at) | Outline::Diamond(at) | Outline::Pin([_, at]) => *at,
                 Outline::Arrow([_, tip]) | Outline::Lever([_, tip]) => *tip,
                 Outline::Patch([_, _, corner, _]) => *corner,
                 Outline::Ring(pieces) => pieces[0][0],
             };
-            assert_eq!(hit(&spots, at), Some(spot.handle), "at {at:?}");
+            assert_eq!(hit(spots, at), Some(spot.handle), "at {at:?}");
         }
-        assert_eq!(hit(&spots, pos2(5.0, 5.0)), None, "in the corner");
+        assert_eq!(hit(spots, pos2(5.0, 5.0)), None, "in the corner");
     }
 
     #[test]

@@ -24,6 +24,10 @@ pub fn paint(spots: &[Spot], hot: Option<Handle>, painter: &Painter) {
             Outline::Dot(at) => {
                 painter.circle(*at, if is_hot { 6.0 } else { DOT }, color, Stroke::new(1.5, RIM));
             }
+            Outline::Pin([from, to]) => {
+                painter.line_segment([*from, *to], Stroke::new(1.0, color.gamma_multiply(0.7)));
+                painter.circle(*to, if is_hot { 6.0 } else { DOT }, color, Stroke::new(1.5, RIM));
+            }
             Outline::Diamond(at) => diamond(*at, if is_hot { 6.0 } else { DOT }, color, painter),
             Outline::Arrow(shaft) => arrow(*shaft, color, is_hot, painter),
             Outline::Lever([from, to]) => {
@@ -49,7 +53,15 @@ fn width(hot: bool) -> f32 {
 fn color(handle: Handle) -> Color32 {
     match handle {
         Handle::Axis(axis) | Handle::Plane(axis) | Handle::Ring(axis) | Handle::Stretch(axis) => AXIS_COLORS[axis],
-        Handle::Scale | Handle::Vertex(_) | Handle::Edge(_) | Handle::End(_) | Handle::Radius | Handle::Probe => PLAIN,
+        Handle::Scale
+        | Handle::Vertex(_)
+        | Handle::Edge(_)
+        | Handle::End(_)
+        | Handle::Frame(_)
+        | Handle::Radius
+        | Handle::HalfAngle
+        | Handle::Aim
+        | Handle::Probe => PLAIN,
     }
 }
 

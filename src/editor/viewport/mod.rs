@@ -12,6 +12,7 @@ pub mod picture;
 pub mod pointer;
 pub mod projection;
 pub mod ray;
+pub mod symbol;
 
 use std::time::Duration;
 

@@ -5,6 +5,7 @@ use glam::{DAffine3, DVec2, DVec3};
 
 use super::projection::Projection;
 use super::ray::Ray;
+use super::symbol::Symbol;
 use crate::editor::handles::segment_distance;
 use crate::editor::session::Item;
 use crate::light::{Emitter, Light};
@@ -91,10 +92,18 @@ fn outline_distance(light: &Light, projection: &Projection, pos: Pos2) -> f32 {
             // However small it is on screen, a sphere can be clicked.
             projection.project(sphere.center).map_or(f32::MAX, |at| at.distance(pos))
         }
-        Emitter::Cap(_) | Emitter::Sky(_) | Emitter::Point(_) | Emitter::Directional(_) => {
-            projection.project(light.position).map_or(f32::MAX, |at| (at.distance(pos) - SYMBOL).max(0.0))
+        Emitter::Cap(_) | Emitter::Sky(_) => {
+            let symbol = Symbol::new(light, projection);
+            let lines = symbol.lines(&light.shape).into_iter().map(|[a, b]| segment(a, b));
+            lines.fold(symbol_distance(symbol.tip(), projection, pos), f32::min)
         }
+        Emitter::Point(_) | Emitter::Directional(_) => symbol_distance(light.position, projection, pos),
     }
+}
+
+/// Distance on screen from `pos` to a small sun at `p`.
+fn symbol_distance(p: DVec3, projection: &Projection, pos: Pos2) -> f32 {
+    projection.project(p).map_or(f32::MAX, |at| (at.distance(pos) - SYMBOL).max(0.0))
 }
 
 /// Distance along the ray to a light's face.

@@ -373,7 +373,11 @@ fn handle_hint(handle: Handle) -> &'static str {
         Handle::Vertex(_) => "Drag to move this vertex; double-click deletes it",
         Handle::Edge(_) => "Drag to move this edge; double-click splits it",
         Handle::End(_) => "Drag to move this end",
+        Handle::Frame([0, _] | [_, 0]) => "Drag to move this side",
+        Handle::Frame(_) => "Drag to move this corner",
         Handle::Radius => "Drag to change the radius",
+        Handle::HalfAngle => "Drag to change the half-angle; Ctrl snaps to 5°",
+        Handle::Aim => "Drag to where the light comes from; Ctrl snaps to 15°",
         Handle::Probe => "Drag the probe over the surfaces",
     }
 }

@@ -7,7 +7,8 @@ use super::{TEXT, label, line};
 use crate::editor::session::{Item, Selection};
 use crate::editor::viewport::pick::{SYMBOL, Solids, closed, outline};
 use crate::editor::viewport::projection::Projection;
-use crate::light::{Emitter, Light, SphereEmitter};
+use crate::editor::viewport::symbol::Symbol;
+use crate::light::{Emitter, Light, Shape, SphereEmitter};
 use crate::math::frame;
 use crate::scene::Scene;
 
@@ -77,8 +78,7 @@ impl Painted<'_> {
             Emitter::Textured(textured) => {
                 self.flat(light, textured.point(0.5, 0.5), textured.normal, textured.two_sided, look)
             }
-            Emitter::Cap(cap) => self.parallel(light, cap.to_center, look),
-            Emitter::Sky(sky) => self.parallel(light, sky.zenith, look),
+            Emitter::Cap(_) | Emitter::Sky(_) => self.far(light, look),
             Emitter::Line(emitter) => {
                 let stroke = Stroke::new(look.stroke.width + 1.0, look.stroke.color);
                 self.hidden_line(emitter.a, emitter.b, stroke);
@@ -107,7 +107,20 @@ impl Painted<'_> {
         self.highest(&outline)
     }
 
-    /// A light infinitely far away: a small sun with arrows away from the light.
+    /// A light that fills directions: a cone of them with a sun at its end, or a dome.
+    fn far(&self, light: &Light, look: &Look) -> Option<Pos2> {
+        let symbol = Symbol::new(light, self.projection);
+        let lines = symbol.lines(&light.shape);
+        lines.iter().for_each(|[a, b]| line(*a, *b, look.stroke, self.projection, self.painter));
+        if matches!(light.shape, Shape::Cap(_)) {
+            self.point(symbol.tip(), look.stroke);
+            self.direction(symbol.tip(), (light.position - symbol.tip()).normalize_or(DVec3::NEG_Z), look.stroke);
+        }
+        let top = self.highest(&lines.concat())?;
+        Some(self.projection.project(symbol.tip()).map_or(top, |tip| if tip.y - SYMBOL < top.y { tip } else { top }))
+    }
+
+    /// Parallel light: a small sun with arrows away from the light.
     fn parallel(&self, light: &Light, to_light: DVec3, look: &Look) -> Option<Pos2> {
         let anchor = self.point(light.position, look.stroke);
         let axes = frame::rotation_from_deg(light.rotation_deg);
