@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use glam::{DVec2, DVec3};
 
 use super::session::{Item, Session};
-use crate::light::{Light, Polygon, Quantity, QuantityKind, Shape, Tint};
+use crate::light::{Light, Polygon, Shape};
 use crate::scene::{Plot, PlotKind, PlotQuantity, Scene};
 use crate::surface::{self, Material, ReflectionModel, Surface};
 
@@ -137,21 +137,7 @@ impl Item {
 
 /// A light of that shape above the origin, of an everyday strength.
 pub(super) fn new_light(shape: Shape) -> Light {
-    let value = match shape.strength_kind() {
-        QuantityKind::Luminance => 1000.0,
-        QuantityKind::IntensityPerMetre => 200.0,
-        QuantityKind::Intensity => 100.0,
-        QuantityKind::Illuminance | QuantityKind::Flux => 500.0,
-    };
-    Light {
-        name: shape.name().to_owned(),
-        position: DVec3::new(0.0, 0.0, 2.0),
-        rotation_deg: DVec3::ZERO,
-        tint: Tint::default(),
-        quantity: Quantity::new(shape.strength_kind(), value),
-        muted: false,
-        shape,
-    }
+    Light { position: DVec3::new(0.0, 0.0, 2.0), ..Light::new(shape.name(), shape) }
 }
 
 /// A rectangle about the origin.

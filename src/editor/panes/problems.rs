@@ -5,6 +5,7 @@ use egui_material_icons::icons;
 
 use crate::editor::session::{Item, Session};
 use crate::scene::{Scene, validate};
+use crate::surface::{Material, ReflectionModel};
 
 /// Show the pane.
 pub(super) fn show(ui: &mut Ui, session: &mut Session) {
@@ -33,17 +34,25 @@ pub(super) fn show(ui: &mut Ui, session: &mut Session) {
 fn oddities(scene: &Scene) -> Vec<(Item, String)> {
     let dark = scene.lights.iter().enumerate().filter(|(_, light)| light.strength() <= 0.0);
     let dark = dark.map(|(i, light)| (Item::Light(i), format!("“{}” emits nothing", light.name)));
-    let bright = scene.materials.iter().enumerate().filter(|(_, m)| (m.diffuse + m.specular).max_element() > 1.0);
+    let bright = scene.materials.iter().enumerate().filter(|(_, material)| reflected(material) > 1.0);
     let bright = bright.map(|(i, material)| {
         (Item::Material(i), format!("“{}” reflects more than it receives: k_d + k_s is above 1", material.name))
     });
     dark.chain(bright).collect()
 }
 
+/// Greatest component of what a material reflects at normal incidence.
+fn reflected(material: &Material) -> f64 {
+    let fresnel = match material.model {
+        ReflectionModel::CookTorrance { reflectance, .. } => reflectance,
+        _ => 1.0,
+    };
+    (material.diffuse + fresnel * material.specular).max_element()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::surface::{Material, ReflectionModel};
     use glam::DVec3;
 
     #[test]

@@ -26,23 +26,27 @@ pub(super) struct Number {
     pub(super) speed: f64,
     /// What it may be.
     pub(super) range: RangeInclusive<f64>,
+    /// What it means, for who hovers over it; empty where the label says all.
+    pub(super) hint: &'static str,
 }
 
 impl Number {
     /// A place, metres.
-    pub(super) const PLACE: Self = Self { unit: " m", speed: 0.01, range: -1e4..=1e4 };
+    pub(super) const PLACE: Self = Self { unit: " m", speed: 0.01, range: -1e4..=1e4, hint: "" };
     /// A length, metres.
-    pub(super) const LENGTH: Self = Self { unit: " m", speed: 0.005, range: 1e-3..=1e4 };
+    pub(super) const LENGTH: Self = Self { unit: " m", speed: 0.005, range: 1e-3..=1e4, hint: "" };
     /// An angle, degrees.
-    pub(super) const ANGLE: Self = Self { unit: "°", speed: 0.5, range: -360.0..=360.0 };
+    pub(super) const ANGLE: Self = Self { unit: "°", speed: 0.5, range: -360.0..=360.0, hint: "" };
     /// A share, or a component of a colour.
-    pub(super) const SHARE: Self = Self { unit: "", speed: 0.005, range: 0.0..=1.0 };
+    pub(super) const SHARE: Self = Self { unit: "", speed: 0.005, range: 0.0..=1.0, hint: "" };
+    /// A number without unit.
+    pub(super) const FACTOR: Self = Self { unit: "", speed: 0.01, range: -1e3..=1e3, hint: "" };
     /// A component of a direction.
-    pub(super) const DIRECTION: Self = Self { unit: "", speed: 0.01, range: -1e3..=1e3 };
+    pub(super) const DIRECTION: Self = Self::FACTOR;
 
     /// A positive amount, dragged in proportion to its size.
     pub(super) fn amount(unit: &'static str, value: f64) -> Self {
-        Self { unit, speed: (0.01 * value.abs()).max(0.01), range: 0.0..=1e12 }
+        Self { unit, speed: (0.01 * value.abs()).max(0.01), range: 0.0..=1e12, hint: "" }
     }
 }
 
@@ -104,7 +108,10 @@ impl Fields<'_> {
     ) {
         let name = row_label(ui, label);
         let mut edited = value;
-        let response = drag(ui, style, &mut edited, ui.available_width().min(110.0)).labelled_by(name);
+        let mut response = drag(ui, style, &mut edited, ui.available_width().min(110.0)).labelled_by(name);
+        if !style.hint.is_empty() {
+            response = response.on_hover_text(style.hint);
+        }
         self.apply(&response, &format!("Change {}", label.to_lowercase()), |scene| set(scene, edited));
         ui.end_row();
     }
@@ -147,6 +154,19 @@ impl Fields<'_> {
         choices: &[(T, String)],
         set: impl FnOnce(&mut Scene, T),
     ) {
+        self.choice_explained(ui, label, current, choices, "", set);
+    }
+
+    /// A row with a choice, and what the current one means for who hovers over it.
+    pub(super) fn choice_explained<T: PartialEq + Clone>(
+        &mut self,
+        ui: &mut Ui,
+        label: &str,
+        current: &T,
+        choices: &[(T, String)],
+        hint: &str,
+        set: impl FnOnce(&mut Scene, T),
+    ) {
         let name = row_label(ui, label);
         let shown = choices.iter().find(|(choice, _)| choice == current).map_or("", |(_, name)| name.as_str());
         let mut picked = current.clone();
@@ -157,6 +177,9 @@ impl Fields<'_> {
             }
         });
         response.response = response.response.labelled_by(name);
+        if !hint.is_empty() {
+            response.response = response.response.on_hover_text(hint);
+        }
         if picked != *current {
             response.response.mark_changed();
         }

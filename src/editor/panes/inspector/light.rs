@@ -3,11 +3,18 @@
 use egui::{Ui, vec2};
 
 use super::fields::{Fields, Number, drag, row_label};
-use crate::light::{Light, Polygon, Quantity, QuantityKind, Shape, Tint};
+use crate::light::{Light, Polygon, Quantity, QuantityKind, Shape, Sky, Tint};
 use crate::scene::Scene;
 
 /// The temperature that a light gets when its tint becomes one, kelvin.
 const DAYLIGHT_K: f64 = 6500.0;
+
+/// Skies that have a name, and what they are.
+const SKIES: [(Sky, &str, &str); 3] = [
+    (Sky { uniform: 1.0, cosine: 0.0 }, "uniform", "The same luminance in all directions"),
+    (Sky { uniform: 0.0, cosine: 1.0 }, "cosine", "Luminance falls with the cosine of the angle from the zenith"),
+    (Sky::OVERCAST, "CIE overcast", "The zenith three times as bright as the horizon"),
+];
 
 pub(super) fn show(ui: &mut Ui, fields: &mut Fields<'_>, index: usize) {
     let Some(light) = fields.scene().lights.get(index).cloned() else { return };
@@ -20,7 +27,7 @@ pub(super) fn show(ui: &mut Ui, fields: &mut Fields<'_>, index: usize) {
         Shape::Polygon(polygon) => polygon_rows(ui, fields, index, polygon),
         Shape::Line(line) => {
             fields.number(ui, "Length", &Number::LENGTH, line.length, at(index, set_length));
-            let falloff = Number { unit: "", speed: 0.01, range: 0.0..=3.0 };
+            let falloff = Number { range: 0.0..=3.0, hint: "Light falls with 1/rⁿ; 2 is physical", ..Number::FACTOR };
             fields.number(ui, "Falloff n", &falloff, line.falloff, at(index, set_falloff));
         }
         Shape::Sphere(sphere) => {
@@ -37,13 +44,16 @@ pub(super) fn show(ui: &mut Ui, fields: &mut Fields<'_>, index: usize) {
             fields.derived(ui, "Pattern", &textured.pattern.file);
         }
         Shape::Cap(cap) => {
-            let half_angle = Number { unit: "°", speed: 0.2, range: 0.01..=90.0 };
+            let half_angle = Number {
+                speed: 0.2,
+                range: 0.01..=90.0,
+                hint: "From the middle to the rim; the sun’s is 0.27°",
+                ..Number::ANGLE
+            };
             fields.number(ui, "Half-angle", &half_angle, cap.half_angle_deg, at(index, set_half_angle));
         }
         Shape::Sky(sky) => {
-            let share = Number { unit: "", speed: 0.01, range: 0.0..=1.0 };
-            fields.number(ui, "Uniform", &share, sky.uniform, at(index, set_uniform));
-            fields.number(ui, "Cosine", &share, sky.cosine, at(index, set_cosine));
+            sky_rows(ui, fields, index, *sky);
         }
         Shape::Point(_) => fields.derived(ui, "Extent", "none: all of it at the origin"),
         Shape::Directional(_) => fields.derived(ui, "Extent", "parallel light along −Z"),
@@ -69,7 +79,7 @@ fn at<T>(index: usize, set: impl Fn(&mut Light, T)) -> impl Fn(&mut Scene, T) {
 /// One row for each unit in which the emission may be stated; the one that is stated is kept when the light is resized.
 fn emission(ui: &mut Ui, fields: &mut Fields<'_>, index: usize, light: &Light) {
     for kind in light.shape.quantity_kinds() {
-        let Some(value) = value_in(light, *kind) else { continue };
+        let Some(value) = light.in_quantity(*kind) else { continue };
         let name = row_label(ui, quantity_name(*kind));
         ui.horizontal(|ui| {
             let mut edited = value;
@@ -89,15 +99,6 @@ fn emission(ui: &mut Ui, fields: &mut Fields<'_>, index: usize, light: &Light) {
         });
         ui.end_row();
     }
-}
-
-/// The light's emission as another quantity; `None` where it has no such.
-fn value_in(light: &Light, kind: QuantityKind) -> Option<f64> {
-    if kind == light.quantity.kind() {
-        return Some(light.quantity.value());
-    }
-    let per = light.shape.strength_per(kind);
-    (per > 0.0).then(|| light.strength() / per)
 }
 
 fn quantity_name(kind: QuantityKind) -> &'static str {
@@ -134,11 +135,28 @@ fn tint(ui: &mut Ui, fields: &mut Fields<'_>, index: usize, tint: Tint) {
             fields.color(ui, "Colour", color, at(index, |light, rgb| light.tint = Tint::Color(rgb)));
         }
         Tint::TemperatureK(kelvin) => {
-            let style = Number { unit: " K", speed: 10.0, range: 1000.0..=40_000.0 };
+            let style = Number { unit: " K", speed: 10.0, range: 1000.0..=40_000.0, hint: "" };
             let set = at(index, |light, kelvin| light.tint = Tint::TemperatureK(kelvin));
             fields.number(ui, "Temperature", &style, kelvin, set);
         }
     }
+}
+
+/// The sky's two parts, and the skies that people know.
+fn sky_rows(ui: &mut Ui, fields: &mut Fields<'_>, index: usize, sky: Sky) {
+    let known = SKIES.iter().find(|(known, ..)| *known == sky);
+    let mut choices: Vec<_> = SKIES.iter().map(|(sky, name, _)| (*sky, (*name).to_owned())).collect();
+    if known.is_none() {
+        choices.push((sky, "other".to_owned()));
+    }
+    let hint = known.map_or("L·(uniform + cosine·cos θ), θ from the zenith", |(.., hint)| hint);
+    let set = at(index, |light: &mut Light, sky| light.shape = Shape::Sky(sky));
+    fields.choice_explained(ui, "Kind", &sky, &choices, hint, set);
+    let share = |hint| Number { speed: 0.01, range: 0.0..=10.0, hint, ..Number::FACTOR };
+    let uniform = share("Share of the luminance that is the same in all directions");
+    fields.number(ui, "Uniform", &uniform, sky.uniform, at(index, set_uniform));
+    let cosine = share("Share that falls with the cosine of the angle from the zenith");
+    fields.number(ui, "Cosine", &cosine, sky.cosine, at(index, set_cosine));
 }
 
 fn polygon_rows(ui: &mut Ui, fields: &mut Fields<'_>, index: usize, polygon: &Polygon) {
@@ -256,30 +274,5 @@ fn set_uniform(light: &mut Light, uniform: f64) {
 fn set_cosine(light: &mut Light, cosine: f64) {
     if let Shape::Sky(sky) = &mut light.shape {
         sky.cosine = cosine;
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::light::Sphere;
-    use glam::DVec3;
-    use std::f64::consts::PI;
-
-    #[test]
-    fn a_quantity_is_shown_in_all_of_its_units() {
-        let shape = Shape::Sphere(Sphere { radius: 0.5 });
-        let light = Light {
-            name: "globe".to_owned(),
-            position: DVec3::ZERO,
-            rotation_deg: DVec3::ZERO,
-            tint: Tint::default(),
-            quantity: Quantity::new(QuantityKind::Flux, 100.0),
-            muted: false,
-            shape,
-        };
-        let luminance = value_in(&light, QuantityKind::Luminance).expect("a sphere has a luminance");
-        assert!((luminance - 100.0 / (PI * PI)).abs() < 1e-12, "Φ = 4π²r²L gives {luminance}");
-        assert_eq!(value_in(&light, QuantityKind::Illuminance), None, "a sphere is not stated by illuminance");
     }
 }

@@ -2,6 +2,7 @@
 
 mod fields;
 mod light;
+mod material;
 mod plot;
 mod scene;
 mod surface;
@@ -47,7 +48,7 @@ impl Inspector {
         match item {
             Some(Item::Light(index)) => light::show(ui, &mut fields, index),
             Some(Item::Surface(index)) => surface::show(ui, &mut fields, index),
-            Some(Item::Material(index)) => surface::show_material(ui, &mut fields, index),
+            Some(Item::Material(index)) => material::show(ui, &mut fields, index),
             Some(Item::Plot(index)) => plot::show(ui, &mut fields, index),
             None => scene::show(ui, &mut fields),
         }

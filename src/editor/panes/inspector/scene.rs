@@ -25,7 +25,7 @@ pub(super) fn show(ui: &mut Ui, fields: &mut Fields<'_>) {
         }
     });
     fields.section(ui, "Display", |ui, fields| {
-        let style = Number { unit: " EV", speed: 0.02, range: -20.0..=20.0 };
+        let style = Number { unit: " EV", speed: 0.02, range: -20.0..=20.0, hint: "0 makes 100 cd/m² white" };
         let set = |scene: &mut crate::scene::Scene, ev| scene.display.exposure_ev = ev;
         fields.number(ui, "Exposure", &style, scene.display.exposure_ev, set);
         fields.derived(ui, "White", &format!("{:.4} cd/m²", 100.0 * (-scene.display.exposure_ev).exp2()));
@@ -33,7 +33,7 @@ pub(super) fn show(ui: &mut Ui, fields: &mut Fields<'_>) {
     fields.section(ui, "Scene camera", |ui, fields| {
         fields.vector(ui, "Eye", &Number::PLACE, scene.camera.eye, |scene, eye| scene.camera.eye = eye);
         fields.vector(ui, "Target", &Number::PLACE, scene.camera.target, |scene, target| scene.camera.target = target);
-        let fov = Number { unit: "°", speed: 0.2, range: 1.0..=170.0 };
+        let fov = Number { speed: 0.2, range: 1.0..=170.0, hint: "From the lower to the upper edge", ..Number::ANGLE };
         fields.number(ui, "Field of view", &fov, scene.camera.fov_deg, |scene, fov| scene.camera.fov_deg = fov);
     });
     ui.add_space(4.0);

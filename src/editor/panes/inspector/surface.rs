@@ -1,10 +1,11 @@
-//! A surface's and a material's numbers.
+//! A surface's numbers.
 
 use egui::Ui;
 
 use super::fields::{Fields, Number};
+use super::material;
 use crate::scene::Scene;
-use crate::surface::{Material, Shape, Surface};
+use crate::surface::{Shape, Surface};
 
 pub(super) fn show(ui: &mut Ui, fields: &mut Fields<'_>, index: usize) {
     let Some(surface) = fields.scene().surfaces.get(index).cloned() else { return };
@@ -18,24 +19,12 @@ pub(super) fn show(ui: &mut Ui, fields: &mut Fields<'_>, index: usize) {
     fields.section(ui, "Placement", |ui, fields| {
         fields.vector(ui, "Position", &Number::PLACE, surface.position, at(index, |s, p| s.position = p));
         fields.vector(ui, "Rotation", &Number::ANGLE, surface.rotation_deg, at(index, |s, r| s.rotation_deg = r));
-        let scale = Number { unit: "", speed: 0.005, range: 1e-3..=1e3 };
+        let scale = Number { speed: 0.005, range: 1e-3..=1e3, ..Number::FACTOR };
         fields.vector(ui, "Scale", &scale, surface.scale, at(index, |s, scale| s.scale = scale));
     });
     if let Some(position) = fields.scene().materials.iter().position(|m| m.name == surface.material) {
-        show_material(ui, fields, position);
+        material::show(ui, fields, position);
     }
-}
-
-pub(super) fn show_material(ui: &mut Ui, fields: &mut Fields<'_>, index: usize) {
-    let Some(material) = fields.scene().materials.get(index).cloned() else { return };
-    let users = fields.scene().surfaces.iter().filter(|surface| surface.material == material.name).count();
-    fields.section(ui, &format!("Material “{}”", material.name), |ui, fields| {
-        fields.color(ui, "Diffuse k_d", material.diffuse, material_at(index, |m, rgb| m.diffuse = rgb));
-        fields.color(ui, "Specular k_s", material.specular, material_at(index, |m, rgb| m.specular = rgb));
-        let exponent = Number { unit: "", speed: (0.01 * material.exponent).max(0.1), range: 1.0..=1000.0 };
-        fields.number(ui, "Exponent m", &exponent, material.exponent, material_at(index, |m, e| m.exponent = e));
-        fields.derived(ui, "Used by", &format!("{users} surface{}", if users == 1 { "" } else { "s" }));
-    });
 }
 
 pub(super) fn material_names(scene: &Scene) -> Vec<String> {
@@ -46,14 +35,6 @@ fn at<T>(index: usize, set: impl Fn(&mut Surface, T)) -> impl Fn(&mut Scene, T) 
     move |scene, value| {
         if let Some(surface) = scene.surfaces.get_mut(index) {
             set(surface, value);
-        }
-    }
-}
-
-fn material_at<T>(index: usize, set: impl Fn(&mut Material, T)) -> impl Fn(&mut Scene, T) {
-    move |scene, value| {
-        if let Some(material) = scene.materials.get_mut(index) {
-            set(material, value);
         }
     }
 }
