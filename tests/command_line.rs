@@ -386,6 +386,132 @@ fn plot_refuses_bad_use_before_any_work() {
     assert!(names(folder.path()).is_empty(), "a refused run leaves no file");
 }
 
+#[test]
+fn a_difference_is_a_map_with_a_scale_and_printed_figures() {
+    let folder = folder();
+    let output = folder.path().join("a.png");
+    let map = |name: &str, more: &[&str]| {
+        let output = folder.path().join(name);
+        let size = ["difference", WINDOW, "-o", shown(&output), "--size", "440x240", "--samples", "1"];
+        let answer = run(&[&size[..], more].concat());
+        check_done(&answer);
+        let said = text(&answer.stdout).to_owned();
+        (image::open(&output).expect("a picture").into_rgb32f(), said)
+    };
+    let (picture, said) = map("a.png", &["--of", "point"]);
+    assert!(picture.width() == 440 && picture.height() > 260, "the scale is beneath: {:?}", picture.dimensions());
+    assert!(said.starts_with("point \u{2212} exact") && said.contains("rms") && said.contains("peak"), "{said}");
+    let (difference, said) = map("a.exr", &["--of", "point"]);
+    assert_eq!(difference.dimensions(), (440, 240), "the difference itself has no scale");
+    let luminance = |rgb: &image::Rgb<f32>| {
+        let [r, g, b] = rgb.0.map(f64::from);
+        softbox::light::luminance_of(glam::DVec3::new(r, g, b))
+    };
+    let worst =
+        difference.pixels().map(luminance).fold(0.0, |worst: f64, x| if x.abs() > worst.abs() { x } else { worst });
+    let told = said.lines().find_map(|line| line.strip_prefix("max")).expect("the greatest difference");
+    let told: f64 = told.split_whitespace().next().and_then(|number| number.parse().ok()).expect("a number");
+    assert!(worst.abs() > 1.0 && (told / worst - 1.0).abs() < 1e-4, "{told} is not {worst}");
+    let (same, said) = map("b.exr", &["--of", "exact"]);
+    assert!(same.pixels().all(|pixel| pixel.0 == [0.0; 3]) && said.contains("+0.0000e0"), "{said}");
+    assert!(output.exists() && names(folder.path()).len() == 3, "nothing else is left");
+}
+
+#[test]
+fn difference_refuses_bad_use_before_any_work() {
+    let folder = folder();
+    let output = folder.path().join("a.png");
+    check_refused(&["difference", WINDOW, "-o", "a.jpg"], ".png or .exr");
+    check_refused(&["difference", WINDOW, "-o", shown(&output), "--of", "guess"], "unknown method `guess`");
+    check_refused(&["difference", WINDOW, "-o", shown(&output), "--limit", "0"], "above 0");
+    check_refused(&["difference", "nowhere.toml", "-o", shown(&output)], "nowhere.toml");
+    check_refused(&["difference", WINDOW, "-o", "/nowhere/a.png"], "cannot be written");
+    assert!(names(folder.path()).is_empty(), "a refused run leaves no file");
+}
+
+#[test]
+fn a_report_has_a_row_for_each_light_and_method() {
+    let answer = run(&["report", WINDOW, "--points", "64"]);
+    check_done(&answer);
+    let said = text(&answer.stdout);
+    assert!(said.starts_with("Ground: "), "it says what the ground is: {said}");
+    for method in ["exact", "nearest-point", "point-cluster", "point", "reference"] {
+        assert!(said.lines().any(|line| line.split_whitespace().any(|word| word == method)), "no {method}: {said}");
+    }
+}
+
+#[test]
+fn a_report_as_csv_agrees_with_probe() {
+    let answer = run(&["report", WINDOW, "--points", "64", "--csv"]);
+    check_done(&answer);
+    let mut rows = csv::Reader::from_reader(text(&answer.stdout).as_bytes());
+    let header = rows.headers().expect("a header").clone();
+    let rows: Vec<csv::StringRecord> = rows.records().map(|row| row.expect("a row")).collect();
+    let cell = |row: &csv::StringRecord, name: &str| {
+        row[header.iter().position(|column| column == name).expect("the column")].to_owned()
+    };
+    let number = |row: &csv::StringRecord, name: &str| cell(row, name).parse::<f64>().expect("a number");
+    let point = rows.iter().find(|row| cell(row, "method") == "point").expect("the point law");
+    let at = ["diffuse_worst_x", "diffuse_worst_y", "diffuse_worst_z"].map(|name| cell(point, name)).join(",");
+    let lit = answer_at(&format!("{at},0,0,1,0,0,1"));
+    let error = lit("point") - lit("exact");
+    assert!((number(point, "diffuse_worst") / error - 1.0).abs() < 1e-9, "{point:?} is not {error}");
+    let share = number(point, "diffuse_worst") / number(point, "diffuse_peak");
+    assert!((number(point, "diffuse_worst_relative") / share - 1.0).abs() < 1e-12, "{point:?}");
+    assert!(rows.iter().all(|row| number(row, "cost_ns") > 0.0), "costs");
+}
+
+/// The illuminance at one point of the window's scene, by method.
+fn answer_at(row: &str) -> impl Fn(&str) -> f64 + use<> {
+    let rows = answer(&probe(WINDOW, &format!("{POINTS_HEADER}\n{row}\n"), &["--method", "all"]));
+    move |name| rows.iter().find(|(method, _)| method == name).expect("the method answers").1[3]
+}
+
+#[test]
+fn report_says_what_is_missing() {
+    let folder = folder();
+    let dark = folder.path().join("dark.toml");
+    fs::write(&dark, "format = 1\n[[material]]\nname = \"m\"\ndiffuse = [0.5, 0.5, 0.5]\n").expect("written");
+    check_refused(&["report", shown(&dark)], "no light that shines");
+    let bare = folder.path().join("bare.toml");
+    let light = "format = 1\n[[light]]\nname = \"l\"\nluminance = 1.0\nshape = { sphere = { radius = 0.1 } }\n";
+    fs::write(&bare, light).expect("written");
+    check_refused(&["report", shown(&bare)], "no material");
+    check_refused(&["report", WINDOW, "--points", "0"], "--points");
+    check_refused(&["report", "nowhere.toml"], "nowhere.toml");
+}
+
+#[test]
+fn figures_are_pictures_charts_and_tables() {
+    let folder = folder();
+    let output = folder.path().join("new");
+    check_done(&run(&["figures", "-o", shown(&output), "--size", "32x24", "poulin-1", "snyder-2", "hermite-errors"]));
+    let mut found: Vec<_> = names(&output).iter().map(|path| path.file_name().expect("a name").to_owned()).collect();
+    found.sort();
+    assert_eq!(found, ["hermite-errors.csv", "poulin-1.png", "snyder-2.png", "snyder-2.svg"], "files");
+    let picture = image::open(output.join("poulin-1.png")).expect("a picture").into_rgb8();
+    assert_eq!(picture.dimensions(), (32, 24), "size");
+    assert!(picture.pixels().any(|pixel| pixel.0[0] > 100), "a picture of something");
+    let table = fs::read_to_string(output.join("hermite-errors.csv")).expect("a table");
+    assert!(table.starts_with("sigma_deg,hermite_1,hermite_2\n") && table.lines().count() > 4, "{table}");
+}
+
+#[test]
+fn figures_lists_what_there_is_and_refuses_what_there_is_not() {
+    let answer = run(&["figures", "--list", "snyder"]);
+    check_done(&answer);
+    let listed = text(&answer.stdout);
+    for figure in ["snyder-2", "snyder-3", "snyder-4", "snyder-5", "snyder-6", "snyder-7a", "snyder-7e"] {
+        assert!(listed.lines().any(|line| line.split_whitespace().next() == Some(figure)), "no {figure}: {listed}");
+    }
+    let folder = folder();
+    let output = shown(folder.path());
+    check_refused(&["figures", "-o", output, "guess"], "no figure `guess`");
+    check_refused(&["figures", "-o", output, "--scenes", "/nowhere", "poulin"], "/nowhere");
+    check_refused(&["figures", "-o", "/proc/nowhere", "hermite-errors"], "/proc/nowhere");
+    assert!(names(folder.path()).is_empty(), "a refused run leaves no file");
+}
+
 /// Ctrl-C while a picture is rendered: status 130, and the old file is all there is.
 #[cfg(target_os = "linux")]
 #[test]

@@ -1,7 +1,9 @@
 //! What is to be learnt from a scene: curves, their errors, and what each method costs.
 
+pub mod chart;
 mod curve;
 mod error_map;
+pub mod figures;
 mod ground;
 mod pen;
 mod report;

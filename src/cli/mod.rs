@@ -3,6 +3,7 @@
 mod check;
 mod columns;
 mod difference;
+mod figures;
 mod files;
 mod plot;
 mod probe;
@@ -61,6 +62,7 @@ enum Command {
     Plot(plot::Args),
     Probe(probe::Args),
     Report(report::Args),
+    Figures(figures::Args),
     Check(check::Args),
     Verify(verify::Args),
     /// Print the JSON Schema of scene files.
@@ -90,6 +92,7 @@ pub fn run(
         Some(Command::Plot(args)) => plot::run(args),
         Some(Command::Probe(args)) => probe::run(args),
         Some(Command::Report(args)) => report::run(args),
+        Some(Command::Figures(args)) => figures::run(args),
         Some(Command::Check(args)) => check::run(args),
         Some(Command::Verify(args)) => verify::run(args),
         Some(Command::Schema) => schema::run(),

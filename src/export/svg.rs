@@ -1,6 +1,7 @@
 //! Plots as SVG: a panel a plot, with the curves, their errors beneath, and what each method costs at their side.
 
 mod axis;
+mod chart;
 mod frame;
 mod legend;
 mod scale;
@@ -14,6 +15,7 @@ use axis::{Axis, Steps};
 use frame::Frame;
 
 pub use axis::three_digits;
+pub use chart::chart;
 pub use scale::ColorScale;
 
 /// Width of a picture.

@@ -20,9 +20,14 @@ fn presets(folder: &str) -> Vec<(String, String, Scene)> {
     names(&folder).into_iter().filter(|name| name.ends_with(".toml")).map(open).collect()
 }
 
+/// The presets of every kind.
+fn all() -> Vec<(String, String, Scene)> {
+    ["scenes", "lights", "figures"].into_iter().flat_map(presets).collect()
+}
+
 #[test]
 fn every_preset_opens_and_is_saved_byte_for_byte() {
-    for (name, text, scene) in presets("scenes").into_iter().chain(presets("lights")) {
+    for (name, text, scene) in all() {
         assert_eq!(scene::to_toml(&scene), text, "{name} is as Softbox writes it");
         assert!(!scene.name.is_empty(), "{name} has a title");
     }
@@ -59,7 +64,7 @@ fn preset_scenes_show_all_that_the_schema_knows() {
 fn every_preset_renders_finite_and_lit() {
     let settings = Settings { size: [24, 14], choice: MethodChoice::Method(Method::Exact), samples: 1 };
     let floor = scene::first_light();
-    for (name, _, mut preset) in presets("scenes").into_iter().chain(presets("lights")) {
+    for (name, _, mut preset) in all() {
         if preset.surfaces.is_empty() {
             // A light alone is shown over a floor.
             preset.surfaces = floor.surfaces.clone();

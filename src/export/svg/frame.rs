@@ -80,7 +80,12 @@ impl Frame {
                 path(outline.into_iter().map(Some))
             );
         }
-        let _ = writeln!(svg, "<path d=\"{}\" {} {clip}/>", path(self.points(x, y)), stroke(method));
+        self.polyline(svg, x, y, &stroke(method));
+    }
+
+    /// A line through points, with the attributes of its stroke.
+    pub(super) fn polyline(&self, svg: &mut String, x: &[f64], y: &[f64], stroke: &str) {
+        let _ = writeln!(svg, "<path d=\"{}\" {stroke} clip-path=\"url(#{})\"/>", path(self.points(x, y)), self.clip);
     }
 
     /// Where the points of a curve lie, none for those without a place. Those far outside are brought near, since
