@@ -7,7 +7,7 @@ use glam::{DVec2, DVec3};
 use super::point::{direction_response, falloff_response, point_response};
 use super::sphere::{Cap, sphere_point};
 use super::{PhongLobe, Response, ShadingPoint};
-use crate::light::{LineEmitter, PolygonEmitter, SphereEmitter};
+use crate::light::{DiskEmitter, LineEmitter, PolygonEmitter, SphereEmitter};
 
 /// A line as N point lights at the middles of N equal parts.
 pub fn line_cluster(light: &LineEmitter, points: u32, at: &ShadingPoint, lobe: &PhongLobe) -> Response {
@@ -79,6 +79,34 @@ pub fn polygon_cluster(light: &PolygonEmitter, points: u32, at: &ShadingPoint, l
         sum += point_response(to_light, area * cos_light, at, lobe);
     }
     sum
+}
+
+/// A disk as N Lambertian point lights on a spiral by the golden angle, the i-th at √((i+½)/N) of the radius, each
+/// standing for the same area.
+pub fn disk_cluster(light: &DiskEmitter, points: u32, at: &ShadingPoint, lobe: &PhongLobe) -> Response {
+    let mut sum = Response::default();
+    for PointOfArea { position, area } in disk_points(light, points) {
+        let to_light = position - at.p;
+        let facing = -to_light.normalize_or_zero().dot(light.normal);
+        let cos_light = if light.two_sided { facing.abs() } else { facing.max(0.0) };
+        sum += point_response(to_light, area * cos_light, at, lobe);
+    }
+    sum
+}
+
+/// The points of [`disk_cluster`]; a single one is the centre.
+pub fn disk_points(light: &DiskEmitter, points: u32) -> impl Iterator<Item = PointOfArea> {
+    let DiskEmitter { center, normal, radius, .. } = *light;
+    let (u, v) = normal.any_orthonormal_pair();
+    let area = light.area() / f64::from(points);
+    let turn = DVec2::from_angle(GOLDEN_ANGLE);
+    let mut azimuth = DVec2::X;
+    (0..points).map(move |i| {
+        let share = if points == 1 { 0.0 } else { (f64::from(i) + 0.5) / f64::from(points) };
+        let offset = radius * share.sqrt() * azimuth;
+        azimuth = azimuth.rotate(turn);
+        PointOfArea { position: center + offset.x * u + offset.y * v, area }
+    })
 }
 
 /// A point on a light, and the area that it stands for.

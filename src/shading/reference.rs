@@ -3,10 +3,12 @@
 //! Each light is integrated in coordinates in which nothing is singular, and split wherever the integrand or its
 //! derivative jumps: at both horizons, at vertices, and about the lobe's peak, which sampling alone may miss.
 
+mod disk;
 mod line;
 mod polygon;
 mod sphere;
 
+pub use disk::disk_reference;
 pub use line::line_reference;
 pub use polygon::polygon_reference;
 pub use sphere::{cap_reference, sphere_reference};
@@ -99,7 +101,7 @@ pub fn reference(emitter: &Emitter, at: &ShadingPoint, lobe: &PhongLobe) -> Boun
         Emitter::Polygon(light) => polygon_reference(light, at.p, &kernel),
         Emitter::Line(light) => line_reference(light, at.p, &kernel),
         Emitter::Sphere(light) => sphere_reference(light, at.p, &kernel),
-        Emitter::Disk(light) => polygon_reference(&super::disk::as_polygon(light), at.p, &kernel),
+        Emitter::Disk(light) => disk_reference(light, at.p, &kernel),
         Emitter::Textured(light) => {
             polygon_reference(&super::textured::as_polygon(light), at.p, &kernel) * light.pattern.mean()
         }

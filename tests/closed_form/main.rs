@@ -1,6 +1,7 @@
 //! Closed forms against reference data, quadrature, limits and properties. One module a light shape.
 
 mod cases;
+mod disk;
 mod line;
 mod polygon;
 mod properties;
