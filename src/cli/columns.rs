@@ -21,3 +21,8 @@ pub(super) fn aligned<const N: usize>(lines: &[[String; N]]) -> String {
     }
     text
 }
+
+/// A percentage: three decimals, or its magnitude where these would show none of it.
+pub(super) fn percent(value: f64) -> String {
+    if value != 0.0 && value.abs() < 0.001 { format!("{value:.0e}") } else { format!("{value:.3}") }
+}

@@ -4,7 +4,7 @@ use std::io::Write;
 use std::path::PathBuf;
 
 use super::size::Size;
-use super::{Outcome, files, progress};
+use super::{Outcome, columns, files, progress};
 use crate::analysis::{Comparison, Summary, error_map};
 use crate::export;
 use crate::render::MethodChoice;
@@ -77,11 +77,11 @@ pub(super) fn run(args: &Args) -> anyhow::Result<Outcome> {
 /// The summary in words.
 fn told(what: &str, summary: &Summary) -> String {
     let Summary { worst, at: [x, y], rms, peak } = *summary;
-    let percent = |value: f64| if peak > 0.0 { 100.0 * value / peak } else { 0.0 };
+    let percent = |value: f64| columns::percent(if peak > 0.0 { 100.0 * value / peak } else { 0.0 });
     format!(
         "{what}, luminance over the pixels that show a surface\n\
-         max   {worst:+.4e} cd/m²  {:+.3} % of the peak  at pixel {x}, {y}\n\
-         rms   {rms:.4e} cd/m²  {:.3} % of the peak\n\
+         max   {worst:+.4e} cd/m²  {} % of the peak  at pixel {x}, {y}\n\
+         rms   {rms:.4e} cd/m²  {} % of the peak\n\
          peak  {peak:.4e} cd/m²\n",
         percent(worst),
         percent(rms),

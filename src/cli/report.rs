@@ -80,13 +80,9 @@ fn cells(deviation: Deviation) -> [String; 5] {
     if deviation.worst == 0.0 {
         return ["0", "", "0", "", ""].map(String::from);
     }
-    let [rms, worst] = deviation.relative().map(|share| percent(100.0 * share));
+    let [rms, worst] = deviation.relative().map(|share| columns::percent(100.0 * share));
     let at = deviation.at.to_array().map(|x| format!("{x:.2}")).join(", ");
     [format!("{:.2e}", deviation.rms), rms, format!("{:+.2e}", deviation.worst), worst, at]
-}
-
-fn percent(value: f64) -> String {
-    if value.abs() < 0.001 { format!("{value:.0e}") } else { format!("{value:.3}") }
 }
 
 /// Columns for programs.

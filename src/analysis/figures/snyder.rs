@@ -10,10 +10,10 @@ use glam::DVec3;
 
 use crate::analysis::chart::{Body, Chart, Line, Panel, Table};
 use crate::light::{CapEmitter, Emitter, SkyEmitter};
-use crate::shading::{Method, PhongLobe, ShadingPoint, respond};
+use crate::shading::{Lobe, Method, ShadingPoint, respond};
 
-/// Points of a curve: half a degree apart.
-const SAMPLES: usize = 361;
+/// Points of a curve: a degree apart.
+const SAMPLES: usize = 181;
 
 /// ω, degrees.
 const RANGE: [f64; 2] = [0.0, 180.0];
@@ -105,13 +105,13 @@ fn hermite_error(method: Method, sigma: f64) -> f64 {
 
 /// E/(π sin²σ) of a cap of luminance 1, ω in degrees.
 fn normalised(method: Method, sigma: f64, omega: f64) -> f64 {
-    let response = respond(&cap(sigma, omega), method, &AT, &PhongLobe::new(1.0));
+    let response = respond(&cap(sigma, omega), method, &AT, &Lobe::new(1.0));
     FRAC_1_PI * response.irradiance / sigma.sin().powi(2)
 }
 
 /// The specular response to an emitter of luminance 1 where the mirror direction is the normal.
 fn specular(emitter: &Emitter, m: f64) -> f64 {
-    respond(emitter, Method::Exact, &AT, &PhongLobe::new(m)).specular
+    respond(emitter, Method::Exact, &AT, &Lobe::new(m)).specular
 }
 
 /// Seen along its normal.
