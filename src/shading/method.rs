@@ -20,6 +20,12 @@ pub enum Method {
     Hermite1,
     /// Cubic Hermite fit with two segments ([`crate::refs::SNYDER_1996`], §2.2).
     Hermite2,
+    /// A point light a component with the light of a disk about it ([`crate::refs::ONE_SHOT`]).
+    OneShot,
+    /// As [`Method::OneShot`], of a square.
+    OneShotSquare,
+    /// As [`Method::OneShot`], of a disk whose radius knows the light's size.
+    OneShotSized,
     /// That many point lights spread over the light.
     PointCluster(u32),
     /// One point light of the light's whole intensity at its middle.
@@ -34,7 +40,7 @@ const DEFAULT_CLUSTER: u32 = 16;
 /// A method name that is none.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error(
-    "unknown method `{0}`: use exact, chebyshev, nearest-point, hermite-1, hermite-2, point-cluster[-N], point or reference"
+    "unknown method `{0}`: use exact, chebyshev, nearest-point, hermite-1, hermite-2, one-shot, one-shot-square, one-shot-sized, point-cluster[-N], point or reference"
 )]
 pub struct UnknownMethod(String);
 
@@ -43,13 +49,30 @@ impl Method {
     pub fn of(shape: &Shape) -> &'static [Self] {
         const CLUSTER: Method = Method::PointCluster(DEFAULT_CLUSTER);
         match shape {
-            Shape::Polygon(_) => &[Self::Exact, Self::NearestPoint, CLUSTER, Self::Point, Self::Reference],
+            Shape::Polygon(_) => &[
+                Self::Exact,
+                Self::NearestPoint,
+                Self::OneShot,
+                Self::OneShotSquare,
+                Self::OneShotSized,
+                CLUSTER,
+                Self::Point,
+                Self::Reference,
+            ],
             Shape::Line(_) => {
                 &[Self::Exact, Self::Chebyshev, Self::NearestPoint, CLUSTER, Self::Point, Self::Reference]
             }
             Shape::Sphere(_) => &[Self::Exact, Self::Hermite1, Self::Hermite2, CLUSTER, Self::Point, Self::Reference],
             Shape::Cap(_) => &[Self::Exact, Self::Hermite1, Self::Hermite2, CLUSTER, Self::Point, Self::Reference],
-            Shape::Disk(_) | Shape::Textured(_) => &[Self::Exact, CLUSTER, Self::Point, Self::Reference],
+            Shape::Disk(_) | Shape::Textured(_) => &[
+                Self::Exact,
+                Self::OneShot,
+                Self::OneShotSquare,
+                Self::OneShotSized,
+                CLUSTER,
+                Self::Point,
+                Self::Reference,
+            ],
             Shape::Sky(_) => &[Self::Exact, Self::Point, Self::Reference],
             Shape::Point(_) | Shape::Directional(_) => &[Self::Exact],
         }
@@ -67,7 +90,7 @@ impl Method {
             Shape::Polygon(_) => Self::NearestPoint,
             Shape::Line(_) => Self::Chebyshev,
             Shape::Sphere(_) | Shape::Cap(_) => Self::Hermite1,
-            Shape::Disk(_) | Shape::Textured(_) => Self::PointCluster(DEFAULT_CLUSTER),
+            Shape::Disk(_) | Shape::Textured(_) => Self::OneShot,
             Shape::Sky(_) | Shape::Point(_) | Shape::Directional(_) => Self::Exact,
         }
     }
@@ -81,6 +104,9 @@ impl fmt::Display for Method {
             Self::NearestPoint => f.pad("nearest-point"),
             Self::Hermite1 => f.pad("hermite-1"),
             Self::Hermite2 => f.pad("hermite-2"),
+            Self::OneShot => f.pad("one-shot"),
+            Self::OneShotSquare => f.pad("one-shot-square"),
+            Self::OneShotSized => f.pad("one-shot-sized"),
             Self::PointCluster(DEFAULT_CLUSTER) => f.pad("point-cluster"),
             Self::PointCluster(points) => f.pad(&format!("point-cluster-{points}")),
             Self::Point => f.pad("point"),
@@ -99,6 +125,9 @@ impl FromStr for Method {
             "nearest-point" => Self::NearestPoint,
             "hermite-1" => Self::Hermite1,
             "hermite-2" => Self::Hermite2,
+            "one-shot" => Self::OneShot,
+            "one-shot-square" => Self::OneShotSquare,
+            "one-shot-sized" => Self::OneShotSized,
             "point-cluster" => Self::PointCluster(DEFAULT_CLUSTER),
             "point" => Self::Point,
             "reference" => Self::Reference,

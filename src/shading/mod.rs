@@ -9,6 +9,7 @@ pub mod disk;
 pub mod line;
 mod lobe;
 mod method;
+pub mod one_shot;
 pub mod point;
 pub mod polygon;
 mod prepared;
@@ -24,6 +25,7 @@ pub use prepared::Prepared;
 use glam::DVec3;
 
 use crate::light::Emitter;
+use one_shot::OneShot;
 
 /// A point to shade, and from where it is seen.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -55,10 +57,13 @@ pub struct Response {
 /// The unit-strength response at a point by a method; methods that a shape does not have answer as
 /// [`Method::Exact`] does (see [`Method::for_shape`]). For more than one point, prepare the light: [`Prepared`].
 pub fn respond(emitter: &Emitter, method: Method, at: &ShadingPoint, lobe: &PhongLobe) -> Response {
-    answer(emitter, method, at, lobe)
+    match OneShot::new(emitter, method) {
+        Some(one_shot) => one_shot.respond(at, lobe),
+        None => answer(emitter, method, at, lobe),
+    }
 }
 
-/// What [`respond`] and [`Prepared::respond`] both are.
+/// The response by a method that needs nothing prepared.
 fn answer(emitter: &Emitter, method: Method, at: &ShadingPoint, lobe: &PhongLobe) -> Response {
     if method == Method::Reference {
         return reference::reference(emitter, at, lobe).response();

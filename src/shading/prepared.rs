@@ -1,5 +1,6 @@
 //! A light prepared for one method.
 
+use super::one_shot::OneShot;
 use super::{Method, PhongLobe, Response, ShadingPoint, answer};
 use crate::light::Emitter;
 
@@ -8,12 +9,13 @@ use crate::light::Emitter;
 pub struct Prepared {
     emitter: Emitter,
     method: Method,
+    one_shot: Option<OneShot>,
 }
 
 impl Prepared {
     /// The light as `method` needs it; see [`respond`](super::respond) for methods that the light does not have.
     pub fn new(emitter: &Emitter, method: Method) -> Self {
-        Self { emitter: emitter.clone(), method }
+        Self { emitter: emitter.clone(), method, one_shot: OneShot::new(emitter, method) }
     }
 
     /// The light.
@@ -28,6 +30,9 @@ impl Prepared {
 
     /// The unit-strength response at a point.
     pub fn respond(&self, at: &ShadingPoint, lobe: &PhongLobe) -> Response {
-        answer(&self.emitter, self.method, at, lobe)
+        match &self.one_shot {
+            Some(one_shot) => one_shot.respond(at, lobe),
+            None => answer(&self.emitter, self.method, at, lobe),
+        }
     }
 }
