@@ -9,8 +9,9 @@ use super::edits;
 use super::files::Then;
 use super::presets::Preset;
 use super::session::{Framing, Item, Session, Tool};
-use crate::light::{self, Directional, Line, LineEmission, Point, Sphere};
-use crate::scene::PlotKind;
+use crate::analysis::methods_for;
+use crate::light::{self, Cap, Directional, Disk, Line, LineEmission, Point, Sky, Sphere};
+use crate::scene::{PlotKind, Scene};
 use crate::shading::Method;
 use crate::surface;
 
@@ -86,8 +87,14 @@ pub enum LightKind {
     Polygon,
     /// A line.
     Line,
+    /// A disk.
+    Disk,
     /// A sphere.
     Sphere,
+    /// A cap of directions.
+    Cap,
+    /// A sky.
+    Sky,
     /// A point.
     Point,
     /// Parallel light.
@@ -115,11 +122,29 @@ pub enum SurfaceKind {
 
 impl LightKind {
     /// All of them, in menu order.
-    pub const ALL: [Self; 5] = [Self::Polygon, Self::Line, Self::Sphere, Self::Point, Self::Directional];
+    pub const ALL: [Self; 8] =
+        [Self::Polygon, Self::Disk, Self::Line, Self::Sphere, Self::Sky, Self::Cap, Self::Point, Self::Directional];
+
+    /// What it is, for who does not know it by its name.
+    pub fn hint(self) -> &'static str {
+        match self {
+            Self::Polygon => "A flat light of any outline, such as a window or a softbox",
+            Self::Disk => "A flat round light, such as a downlight or a porthole",
+            Self::Line => "A linear light, such as a fluorescent tube",
+            Self::Sphere => "A ball of light, such as a globe lamp",
+            Self::Sky => "A hemisphere of light infinitely far away: uniform, cosine or overcast",
+            Self::Cap => "A round patch of the sky infinitely far away, such as the sun behind haze",
+            Self::Point => "All of the light at one point",
+            Self::Directional => "Parallel light, such as a clear sun’s",
+        }
+    }
 
     fn shape(self) -> light::Shape {
         match self {
             Self::Polygon => light::Shape::Polygon(edits::rectangle(1.0, 1.0)),
+            Self::Disk => light::Shape::Disk(Disk { radius: 0.4, two_sided: false }),
+            Self::Cap => light::Shape::Cap(Cap { half_angle_deg: 15.0 }),
+            Self::Sky => light::Shape::Sky(Sky::OVERCAST),
             Self::Line => light::Shape::Line(Line { length: 1.2, emission: LineEmission::Isotropic, falloff: 2.0 }),
             Self::Sphere => light::Shape::Sphere(Sphere { radius: 0.2 }),
             Self::Point => light::Shape::Point(Point {}),
@@ -146,16 +171,13 @@ impl SurfaceKind {
     }
 }
 
-/// The methods that the viewport offers; `reference` is left to plots, it is far too slow for a picture.
-pub const VIEW_METHODS: [Method; 7] = [
-    Method::Exact,
-    Method::Chebyshev,
-    Method::NearestPoint,
-    Method::Hermite1,
-    Method::Hermite2,
-    Method::PointCluster(16),
-    Method::Point,
-];
+/// The methods that the viewport offers: those of the scene's lights, `exact` first and `point` last. `reference` is left
+/// to plots, as it is far too slow for a picture.
+pub fn view_methods(scene: &Scene) -> Vec<Method> {
+    let mut methods = methods_for(scene);
+    methods.retain(|method| *method != Method::Reference);
+    methods
+}
 
 impl Command {
     /// All commands that have a key, in the order of the list of keys.
@@ -231,6 +253,14 @@ impl Command {
             Self::ResetLayout => "Reset layout",
             Self::Keys => "Keys",
             _ => "",
+        }
+    }
+
+    /// What it means, where the label does not say all.
+    pub fn hint(&self) -> Option<&'static str> {
+        match self {
+            Self::AddLight(kind) => Some(kind.hint()),
+            _ => None,
         }
     }
 
@@ -367,7 +397,6 @@ fn upper_first(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::Scene;
 
     #[test]
     fn every_keyed_command_has_a_label_and_a_key_of_its_own() {
@@ -379,6 +408,16 @@ mod tests {
             assert!(!keys.contains(&shortcut), "{shortcut:?} of {command:?} is taken");
             keys.push(shortcut);
         }
+    }
+
+    #[test]
+    fn the_view_offers_the_methods_of_the_scenes_lights_from_exact_to_point() {
+        assert_eq!(view_methods(&Scene::default()), [Method::Exact], "an empty scene");
+        let lights = vec![edits::new_light(LightKind::Sphere.shape())];
+        let methods = view_methods(&Scene { lights, ..Scene::default() });
+        assert_eq!(methods.first(), Some(&Method::Exact), "first");
+        assert_eq!(methods.last(), Some(&Method::Point), "last");
+        assert!(methods.contains(&Method::Hermite1) && !methods.contains(&Method::Reference), "{methods:?}");
     }
 
     #[test]

@@ -3,6 +3,7 @@
 
 mod files;
 mod panes;
+mod shapes;
 mod start;
 mod viewport;
 mod window;

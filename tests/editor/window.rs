@@ -38,7 +38,12 @@ impl Window {
 
     /// A window on a copy of [`SCENE`].
     pub(crate) fn with_scene() -> Self {
-        Self::on(Some(SCENE))
+        Self::with(SCENE)
+    }
+
+    /// A window on a scene of that text.
+    pub(crate) fn with(text: &str) -> Self {
+        Self::on(Some(text))
     }
 
     fn on(text: Option<&str>) -> Self {

@@ -5,7 +5,7 @@ use egui_material_icons::MaterialIcon;
 use egui_material_icons::icons;
 
 use super::icon_button;
-use crate::editor::commands::{Command, LightKind, SurfaceKind, VIEW_METHODS};
+use crate::editor::commands::{Command, LightKind, SurfaceKind, view_methods};
 use crate::editor::files::Files;
 use crate::editor::presets;
 use crate::editor::session::{Session, Tool};
@@ -71,7 +71,8 @@ fn file_menu(ui: &mut Ui, session: &Session, files: &Files, chosen: &mut Option<
 }
 
 fn view_menu(ui: &mut Ui, session: &Session, chosen: &mut Option<Command>) {
-    ui.menu_button("Shading method", |ui| entries(ui, session, &VIEW_METHODS.map(Command::Method), chosen));
+    let methods: Vec<_> = view_methods(session.scene()).into_iter().map(Command::Method).collect();
+    ui.menu_button("Shading method", |ui| entries(ui, session, &methods, chosen));
     ui.separator();
     entries(ui, session, &[Command::Focus, Command::FrameAll, Command::ResetView, Command::SaveView], chosen);
     ui.separator();
@@ -80,7 +81,8 @@ fn view_menu(ui: &mut Ui, session: &Session, chosen: &mut Option<Command>) {
     entries(ui, session, &[Command::ResetLayout, Command::ToggleTheme], chosen);
 }
 
-fn entries(ui: &mut Ui, session: &Session, commands: &[Command], chosen: &mut Option<Command>) {
+/// Commands in a menu.
+pub(super) fn entries(ui: &mut Ui, session: &Session, commands: &[Command], chosen: &mut Option<Command>) {
     for command in commands {
         entry(ui, session, command, chosen);
     }
@@ -88,11 +90,19 @@ fn entries(ui: &mut Ui, session: &Session, commands: &[Command], chosen: &mut Op
 
 /// One command in a menu, with its key, greyed out where it cannot be done.
 fn entry(ui: &mut Ui, session: &Session, command: &Command, chosen: &mut Option<Command>) {
-    let mut button = Button::new(command.label(session)).selected(command.checked(session) == Some(true));
+    let label = command.label(session);
+    let mut button = match command {
+        Command::AddLight(kind) => Button::new((light_icon(*kind).rich_text(), label.as_str())),
+        _ => Button::new(label.as_str()),
+    };
+    button = button.selected(command.checked(session) == Some(true));
     if let Some(shortcut) = command.shortcut() {
         button = button.shortcut_text(ui.ctx().format_shortcut(&shortcut));
     }
-    let response = ui.add_enabled(command.enabled(session), button).accessible_name(command.label(session));
+    let mut response = ui.add_enabled(command.enabled(session), button).accessible_name(&label);
+    if let Some(hint) = command.hint() {
+        response = response.on_hover_text(hint);
+    }
     if response.clicked() {
         *chosen = Some(command.clone());
     }
@@ -137,6 +147,20 @@ fn tool_button(ui: &mut Ui, session: &Session, icon: MaterialIcon, command: Comm
     let response = ui.add_enabled(command.enabled(session), button).on_hover_text(hover);
     if response.accessible_name(label).clicked() {
         *chosen = Some(command);
+    }
+}
+
+/// The icon of a shape of light.
+pub(super) fn light_icon(kind: LightKind) -> MaterialIcon {
+    match kind {
+        LightKind::Polygon => icons::ICON_PENTAGON,
+        LightKind::Disk => icons::ICON_ADJUST,
+        LightKind::Line => icons::ICON_HORIZONTAL_RULE,
+        LightKind::Sphere => icons::ICON_LENS,
+        LightKind::Cap => icons::ICON_WB_TWILIGHT,
+        LightKind::Sky => icons::ICON_CLOUD,
+        LightKind::Point => icons::ICON_FLARE,
+        LightKind::Directional => icons::ICON_SUNNY,
     }
 }
 

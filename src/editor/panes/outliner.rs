@@ -5,6 +5,7 @@ use egui_material_icons::MaterialIcon;
 use egui_material_icons::icons;
 
 use super::icon_button;
+use super::menu::entries;
 use crate::editor::commands::{Command, LightKind, SurfaceKind};
 use crate::editor::session::{Item, Session};
 use crate::editor::theme;
@@ -180,11 +181,9 @@ fn group(ui: &mut Ui, session: &Session, title: &str, add: &[Command], asked: &m
                 return;
             }
             let (response, _) = egui::containers::menu::MenuButton::from_button(button).ui(ui, |ui| {
-                for command in add {
-                    if ui.button(command.label(session)).clicked() {
-                        asked.push(Ask::Command(command.clone()));
-                    }
-                }
+                let mut chosen = None;
+                entries(ui, session, add, &mut chosen);
+                asked.extend(chosen.map(Ask::Command));
             });
             response.on_hover_text(format!("Add {singular}")).accessible_name(format!("Add {singular}"));
         });
@@ -262,8 +261,8 @@ fn light_icon(shape: &light::Shape) -> MaterialIcon {
         light::Shape::Line(_) => icons::ICON_HORIZONTAL_RULE,
         light::Shape::Sphere(_) => icons::ICON_LENS,
         light::Shape::Disk(_) => icons::ICON_ADJUST,
-        light::Shape::Textured(_) => icons::ICON_IMAGE,
-        light::Shape::Cap(_) => icons::ICON_NIGHTLIGHT,
+        light::Shape::Textured(_) => icons::ICON_TEXTURE,
+        light::Shape::Cap(_) => icons::ICON_WB_TWILIGHT,
         light::Shape::Sky(_) => icons::ICON_CLOUD,
         light::Shape::Point(_) => icons::ICON_FLARE,
         light::Shape::Directional(_) => icons::ICON_SUNNY,

@@ -3,9 +3,8 @@
 use egui::{Frame, Margin, Rect, Ui, UiBuilder, vec2};
 
 use super::Overlays;
+use crate::editor::commands::view_methods;
 use crate::editor::session::Session;
-use crate::scene::Scene;
-use crate::shading::Method;
 
 /// Exposures that the slider offers, in steps of a factor of two.
 const EXPOSURE: std::ops::RangeInclusive<f64> = -8.0..=8.0;
@@ -28,22 +27,9 @@ pub fn show(ui: &mut Ui, rect: Rect, session: &mut Session, overlays: &mut Overl
     });
 }
 
-/// The methods that any light of the scene has and the preview can draw, `exact` first.
-fn methods(scene: &Scene) -> Vec<Method> {
-    let mut methods = vec![Method::Exact];
-    for method in scene.lights.iter().flat_map(|light| Method::of(&light.shape)) {
-        if !methods.contains(method) && *method != Method::Reference {
-            methods.push(*method);
-        }
-    }
-    // Point light last, as everywhere.
-    methods.sort_by_key(|method| *method == Method::Point);
-    methods
-}
-
 fn method(ui: &mut Ui, session: &mut Session) {
     let label = ui.label("Method");
-    let methods = methods(session.scene());
+    let methods = view_methods(session.scene());
     let combo = egui::ComboBox::from_id_salt("viewport method").selected_text(session.view.method.to_string());
     let response = combo.show_ui(ui, |ui| {
         for method in methods {
@@ -81,21 +67,4 @@ fn toggles(ui: &mut Ui, session: &mut Session, overlays: &mut Overlays) {
             ui.checkbox(&mut overlays.gnomon, "Axes");
         });
     response.on_hover_text("What is drawn over the picture");
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::editor::tools::new_light;
-    use glam::dvec2;
-
-    #[test]
-    fn the_methods_are_those_of_the_scenes_lights_from_exact_to_point() {
-        assert_eq!(methods(&Scene::default()), [Method::Exact], "an empty scene");
-        let lights = vec![new_light::sphere(dvec2(0.0, 0.0), 1.0, 1.0).expect("a sphere")];
-        let methods = methods(&Scene { lights, ..Scene::default() });
-        assert_eq!(methods.first(), Some(&Method::Exact), "first");
-        assert_eq!(methods.last(), Some(&Method::Point), "last");
-        assert!(methods.contains(&Method::Hermite1) && !methods.contains(&Method::Chebyshev), "{methods:?}");
-    }
 }

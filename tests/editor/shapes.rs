@@ -1,0 +1,102 @@
+//! Every shape of light and every model of reflection: added from the menu, edited number by number, taken back.
+
+use softbox::scene;
+
+use crate::window::Window;
+
+/// A scene without surfaces, which takes no time to shade, and without plots.
+const EMPTY: &str =
+    "format = 1\n[[material]]\nname = \"plaster\"\ndiffuse = [0.5, 0.5, 0.5]\nspecular = [0.2, 0.2, 0.2]\n";
+
+/// A light of `kind` is added, each field is given a number, and all of it is taken back again. The file then has
+/// `passage` in it.
+#[track_caller]
+fn check(window: &mut Window, kind: &str, fields: &[(&str, &str)], passage: &str) {
+    let before = window.scene();
+    window.menu(&["Add", "Light", kind]);
+    let added = window.scene().lights.last().cloned().expect("a light");
+    assert_eq!(added.shape.name(), kind.to_lowercase(), "{kind}");
+    for (field, number) in fields {
+        window.enter(field, number);
+    }
+    let text = scene::to_toml(&window.scene());
+    assert!(text.contains(passage), "`{passage}` in\n{text}");
+    let steps = window.steps_back();
+    assert_eq!(steps.len(), 1 + fields.len(), "one step a field: {steps:?}");
+    assert_eq!(window.scene(), before, "{kind} is gone");
+}
+
+#[test]
+fn every_number_of_a_new_light_is_edited_and_taken_back() {
+    let mut window = Window::with(EMPTY);
+    let window = &mut window;
+    check(window, "Disk", &[("Radius", "0.75"), ("Flux", "900")], "flux = 900.0\nshape = { disk = { radius = 0.75 } }");
+    check(window, "Line", &[("Length", "2.5"), ("Falloff n", "1.5")], "length = 2.5");
+    check(window, "Sphere", &[("Radius", "0.25")], "sphere = { radius = 0.25 }");
+    check(
+        window,
+        "Cap",
+        &[("Half-angle", "25"), ("Illuminance", "800")],
+        "illuminance = 800.0\nshape = { cap = { half_angle_deg = 25.0 } }",
+    );
+    check(
+        window,
+        "Sky",
+        &[("Uniform", "0.5"), ("Cosine", "0.25"), ("Luminance", "300")],
+        "luminance = 300.0\nshape = { sky = { uniform = 0.5, cosine = 0.25 } }",
+    );
+    check(window, "Point", &[("Intensity", "250")], "intensity = 250.0\nshape = { point = {} }");
+    check(window, "Directional", &[("Rotation X", "30")], "rotation_deg = [30.0, 0.0, 0.0]");
+}
+
+#[test]
+fn a_sky_is_made_one_that_people_know() {
+    let mut window = Window::with(EMPTY);
+    window.menu(&["Add", "Light", "Sky"]);
+    for (kind, shares) in [("uniform", "uniform = 1.0, cosine = 0.0"), ("cosine", "uniform = 0.0, cosine = 1.0")] {
+        window.menu(&["Kind", kind]);
+        assert!(scene::to_toml(&window.scene()).contains(shares), "{kind}");
+    }
+    window.enter("Uniform", "0.5");
+    assert!(scene::to_toml(&window.scene()).contains("uniform = 0.5, cosine = 1.0"), "and then one of no name");
+}
+
+#[test]
+fn a_black_sky_is_refused() {
+    let mut window = Window::with(EMPTY);
+    window.menu(&["Add", "Light", "Sky"]);
+    window.menu(&["Kind", "uniform"]);
+    let before = window.scene();
+    window.enter("Uniform", "0");
+    assert_eq!(window.scene(), before, "refused");
+}
+
+#[test]
+fn a_material_is_given_every_model_and_its_numbers() {
+    let mut window = Window::with(EMPTY);
+    window.click("plaster");
+    let before = window.scene();
+    for (model, fields, passage) in [
+        ("blinn", &[("Exponent m", "200")][..], "model = { blinn = {} }\nexponent = 200.0"),
+        (
+            "cook-torrance",
+            &[("Roughness", "0.25"), ("Reflectance", "0.5")],
+            "model = { cook-torrance = { roughness = 0.25, reflectance = 0.5 } }",
+        ),
+        (
+            "lafortune",
+            &[("Tangential", "-0.8"), ("Normal", "0.9"), ("Exponent m", "40")],
+            "model = { lafortune = { tangential = -0.8, normal = 0.9 } }\nexponent = 40.0",
+        ),
+    ] {
+        window.menu(&["Reflection", model]);
+        for (field, number) in fields {
+            window.enter(field, number);
+        }
+        let text = scene::to_toml(&window.scene());
+        assert!(text.contains(passage), "`{passage}` in\n{text}");
+        let steps = window.steps_back();
+        assert_eq!(steps.len(), 1 + fields.len(), "one step a field: {steps:?}");
+        assert_eq!(window.scene(), before, "{model} is gone");
+    }
+}
