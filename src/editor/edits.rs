@@ -6,7 +6,7 @@ use glam::{DVec2, DVec3};
 
 use super::session::{Item, Session};
 use crate::light::{Light, Polygon, Shape};
-use crate::scene::{Plot, PlotKind, PlotQuantity, Scene};
+use crate::scene::{self, Plot, PlotKind, PlotQuantity, Scene};
 use crate::surface::{self, Material, ReflectionModel, Surface};
 
 /// How far a copy is put from its original, metres.
@@ -116,7 +116,9 @@ impl Session {
         self.edit(label, |scene| {
             for light in &preset.lights {
                 let name = unique_name(scene.lights.iter().map(|other| &other.name), &light.name);
-                scene.lights.push(Light { name, ..light.clone() });
+                let mut light = Light { name, ..light.clone() };
+                scene::keep_apart(&mut light, &scene.lights);
+                scene.lights.push(light);
             }
         });
         self.selection.set((first..self.scene().lights.len()).map(Item::Light));

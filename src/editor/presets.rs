@@ -1,5 +1,7 @@
 //! Scenes and lights that come with the program.
 
+use std::io;
+
 use crate::scene::{self, LoadError, Scene};
 
 /// A scene or light preset built into the program.
@@ -45,6 +47,16 @@ pub const SCENES: &[Preset] = &[
     Preset { stem: "patio", text: include_str!("../../presets/scenes/patio.toml") },
 ];
 
+/// The patterns that the presets' lights name.
+const PATTERNS: &[(&str, &[u8])] =
+    &[("textures/lattice.png", include_bytes!("../../presets/scenes/textures/lattice.png"))];
+
+/// The contents of a pattern's file.
+fn read_pattern(name: &str) -> io::Result<Vec<u8>> {
+    let entry = PATTERNS.iter().find(|(file, _)| *file == name);
+    entry.map(|(_, bytes)| bytes.to_vec()).ok_or_else(|| io::ErrorKind::NotFound.into())
+}
+
 impl Preset {
     /// Its name in menus: the file's, with spaces.
     pub fn title(&self) -> String {
@@ -57,7 +69,7 @@ impl Preset {
 
     /// The scene it holds.
     pub fn load(&self) -> Result<Scene, LoadError> {
-        scene::parse(self.text, format!("{}.toml", self.stem))
+        scene::parse_with(self.text, format!("{}.toml", self.stem), read_pattern)
     }
 }
 

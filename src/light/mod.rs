@@ -296,7 +296,7 @@ mod tests {
 
     fn textured() -> Shape {
         let grey = Channel::new(2, vec![0.0, 1.0, 1.0, 1.0]).expect("two rows of two");
-        let pattern = Pattern { file: "grey.png".to_owned(), image: Image::Grey(Arc::new(grey)) };
+        let pattern = Pattern::of_image("grey.png", Image::Grey(Arc::new(grey)));
         Shape::Textured(Textured { size: dvec2(2.0, 1.0), pattern, two_sided: false })
     }
 
@@ -304,7 +304,7 @@ mod tests {
     fn a_coloured_pattern_is_three_parts_of_one_colour_each() {
         let channel = |value| Arc::new(Channel::new(1, vec![value]).expect("one texel"));
         let image = Image::Color([channel(1.0), channel(0.5), channel(0.25)]);
-        let pattern = Pattern { file: "red.png".to_owned(), image };
+        let pattern = Pattern::of_image("red.png", image);
         let shape = Shape::Textured(Textured { size: DVec2::ONE, pattern, two_sided: false });
         let light = Light { tint: Tint::TemperatureK(3000.0), ..Light::new("light", shape) };
         let parts = light.parts();

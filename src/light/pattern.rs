@@ -1,6 +1,7 @@
 //! The pattern of a textured light: its image, and the file that it comes from.
 
 use std::borrow::Cow;
+use std::fmt;
 use std::sync::Arc;
 
 use schemars::{JsonSchema, Schema, SchemaGenerator};
@@ -9,15 +10,21 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 /// One channel of a pattern: luminance of each texel as a share of the light's, row by row, constant over a texel.
 ///
 /// Values are finite and not negative. They are kept as images give them, in single precision.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct Channel {
     width: usize,
     height: usize,
     texels: Vec<f32>,
 }
 
+impl fmt::Debug for Channel {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "Channel({} x {})", self.width, self.height)
+    }
+}
+
 /// The image of a pattern.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub enum Image {
     /// The same for red, green and blue.
     Grey(Arc<Channel>),
@@ -25,13 +32,25 @@ pub enum Image {
     Color([Arc<Channel>; 3]),
 }
 
-/// A pattern: a file's name as the scene file gives it, and the image in it.
+/// A pattern: a file's name as the scene file gives it, and the image in it. Copies share both.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pattern {
     /// Relative to the scene file, and below its folder.
     pub file: String,
-    /// What the file holds.
+    /// What the file shows.
     pub image: Image,
+    /// What the file holds, to be saved beside another scene; empty for an image that came from no file.
+    pub contents: Contents,
+}
+
+/// The bytes of a file; copies share them.
+#[derive(Clone, Default, PartialEq, Eq)]
+pub struct Contents(pub Arc<[u8]>);
+
+impl fmt::Debug for Contents {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} bytes", self.0.len())
+    }
 }
 
 impl Channel {
@@ -70,7 +89,21 @@ impl Channel {
     }
 }
 
+impl PartialEq for Image {
+    /// Texel by texel, but for images that share their texels.
+    fn eq(&self, other: &Self) -> bool {
+        let same = |(a, b): (&Arc<Channel>, &Arc<Channel>)| Arc::ptr_eq(a, b) || a == b;
+        let (a, b) = (self.channels(), other.channels());
+        a.len() == b.len() && a.iter().zip(b).all(same)
+    }
+}
+
 impl Image {
+    /// One texel of value 1.
+    pub fn white() -> Self {
+        Self::Grey(Arc::new(Channel::white()))
+    }
+
     /// The channels: one, or red, green and blue.
     pub fn channels(&self) -> &[Arc<Channel>] {
         match self {
@@ -81,9 +114,14 @@ impl Image {
 }
 
 impl Pattern {
+    /// A pattern of that name and image, which no file holds yet.
+    pub fn of_image(file: impl Into<String>, image: Image) -> Self {
+        Self { file: file.into(), image, contents: Contents::default() }
+    }
+
     /// A pattern of that file, white until the file is read.
     pub fn unread(file: impl Into<String>) -> Self {
-        Self { file: file.into(), image: Image::Grey(Arc::new(Channel::white())) }
+        Self::of_image(file, Image::white())
     }
 }
 

@@ -9,7 +9,7 @@ use toml::de::{DeTable, DeValue, Deserializer};
 
 use super::file::File;
 use super::problem::{LoadError, Path, Place, Problem, Segment};
-use super::{FORMAT, Scene, schema, structure, validate};
+use super::{FORMAT, Scene, pattern, schema, structure, validate};
 
 /// Scene files larger than this are refused before they are read, bytes.
 pub const MAX_FILE_BYTES: u64 = 16 << 20;
@@ -17,12 +17,12 @@ pub const MAX_FILE_BYTES: u64 = 16 << 20;
 /// Problems beyond this number are only counted.
 const MAX_PROBLEMS: usize = 100;
 
-/// Load a scene or a light preset.
+/// Load a scene or a light preset, and the patterns that its lights name.
 pub fn load(path: impl AsRef<std::path::Path>) -> Result<Scene, LoadError> {
     let path = path.as_ref();
     let bytes = read(path).map_err(|cause| LoadError::Read { file: path.to_owned(), cause })?;
     match std::str::from_utf8(&bytes) {
-        Ok(text) => parse(text, path),
+        Ok(text) => parse_with(text, path, |name| pattern::read_file(pattern::folder_of(path), name)),
         Err(error) => {
             let valid = String::from_utf8_lossy(&bytes[..error.valid_up_to()]);
             let problem = Problem {
@@ -34,9 +34,25 @@ pub fn load(path: impl AsRef<std::path::Path>) -> Result<Scene, LoadError> {
     }
 }
 
-/// Read a scene or a light preset from the text of a file; `file` is only named in errors.
+/// Read a scene or a light preset from the text of a file; `file` is only named in errors. The text stands alone: there
+/// are no patterns beside it.
 pub fn parse(text: &str, file: impl AsRef<std::path::Path>) -> Result<Scene, LoadError> {
-    parse_text(text).map_err(|problems| LoadError::Invalid { file: file.as_ref().to_owned(), problems })
+    parse_with(text, file, |_| Err(io::Error::other("there are no files beside this text")))
+}
+
+/// [`parse`] for a text that names patterns: `read` gives the bytes of the file of a name.
+pub fn parse_with(
+    text: &str,
+    file: impl AsRef<std::path::Path>,
+    read: impl FnMut(&str) -> io::Result<Vec<u8>>,
+) -> Result<Scene, LoadError> {
+    let check = |scene: &mut Scene| [validate(scene), pattern::read_all(&mut scene.lights, read)].concat();
+    parse_text(text, check).map_err(|problems| LoadError::Invalid { file: file.as_ref().to_owned(), problems })
+}
+
+/// Read the text of a scene without its patterns.
+pub(super) fn parse_unread(text: &str) -> Result<Scene, Vec<Problem>> {
+    parse_text(text, |scene| validate(scene))
 }
 
 /// The bytes of a regular file that is not too large.
@@ -59,7 +75,7 @@ fn too_large() -> io::Error {
 }
 
 /// Syntax, then structure, then contradictions, then values: what fails at one stage is not looked at by the next.
-pub(super) fn parse_text(text: &str) -> Result<Scene, Vec<Problem>> {
+fn parse_text(text: &str, check: impl FnOnce(&mut Scene) -> Vec<Problem>) -> Result<Scene, Vec<Problem>> {
     let document = DeTable::parse(text).map_err(|error| vec![syntax_problem(text, &error)])?;
     if let Some(problem) = other_format(&document) {
         return Err(locate(vec![problem], &document, text));
@@ -72,8 +88,8 @@ pub(super) fn parse_text(text: &str) -> Result<Scene, Vec<Problem>> {
         // The schema has accepted it, so that this is not met; but an error is told, not hidden.
         place(vec![(start(&error), Problem::new(Path::default(), error.message()))], text)
     })?;
-    let scene = file.into_scene().map_err(|problems| locate(problems, &document, text))?;
-    let problems = validate(&scene);
+    let mut scene = file.into_scene().map_err(|problems| locate(problems, &document, text))?;
+    let problems = check(&mut scene);
     if problems.is_empty() { Ok(scene) } else { Err(locate(problems, &document, text)) }
 }
 

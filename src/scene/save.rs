@@ -6,10 +6,10 @@ use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
 
 use serde::Serialize;
-use tempfile::Builder;
+use tempfile::{Builder, NamedTempFile};
 use toml::ser::ValueSerializer;
 
-use super::{Camera, Display, FORMAT, Plot, Problem, Scene, load, merge, validate};
+use super::{Camera, Display, FORMAT, Plot, Problem, Scene, load, merge, pattern, validate};
 use crate::light::{Light, Tint};
 use crate::surface::{Material, ReflectionModel, Surface};
 
@@ -32,6 +32,16 @@ pub enum SaveError {
         /// What is wrong with the scene; at least one.
         problems: Vec<Problem>,
     },
+    /// A pattern could not be put beside it.
+    #[error("{}: not saved, as its pattern {} cannot be: {cause}", file.display(), pattern.display())]
+    Pattern {
+        /// The scene's file.
+        file: PathBuf,
+        /// The pattern's file.
+        pattern: PathBuf,
+        /// Why.
+        cause: io::Error,
+    },
 }
 
 /// Save a scene in a file; if there is one, with the comments and the form of what did not change ([`merge()`]).
@@ -43,12 +53,16 @@ pub fn save(scene: &Scene, path: impl AsRef<Path>) -> Result<(), SaveError> {
 }
 
 /// [`save`], but with the comments and the form of the file `source`, from which the scene was loaded.
+///
+/// Patterns go along: where the new folder has no file of a pattern's name, it is written there. Another file of that
+/// name is not replaced; then nothing is saved.
 pub fn save_as(scene: &Scene, path: impl AsRef<Path>, source: impl AsRef<Path>) -> Result<(), SaveError> {
     let path = path.as_ref();
     let problems = validate(scene);
     if !problems.is_empty() {
         return Err(SaveError::Invalid { file: path.to_owned(), problems });
     }
+    pattern::write_missing(&scene.lights, path)?;
     let old = load::read(source.as_ref()).ok().and_then(|bytes| String::from_utf8(bytes).ok());
     let text = old.map_or_else(|| to_toml(scene), |old| merge(&old, scene));
     replace_file(path, text.as_bytes()).map_err(|cause| SaveError::Write { file: path.to_owned(), cause })
@@ -181,10 +195,7 @@ impl Table {
 /// What the system says; the old file is then as it was.
 pub fn replace_file(path: &Path, bytes: &[u8]) -> io::Result<()> {
     let path = follow_links(path)?;
-    let folder = match path.parent() {
-        Some(folder) if folder != Path::new("") => folder,
-        _ => Path::new("."),
-    };
+    let folder = pattern::folder_of(&path);
     let old = match fs::metadata(&path) {
         Ok(old) if old.is_dir() => return Err(io::ErrorKind::IsADirectory.into()),
         Ok(old) if !old.is_file() => return Err(io::Error::other("it is not a regular file")),
@@ -193,18 +204,32 @@ pub fn replace_file(path: &Path, bytes: &[u8]) -> io::Result<()> {
         Err(error) if error.kind() == io::ErrorKind::NotFound => None,
         Err(error) => return Err(error),
     };
-    let mut builder = Builder::new();
-    builder.prefix(".softbox-").suffix(".tmp");
-    #[cfg(unix)]
-    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666)); // less the umask, as any new file
-    let mut new = builder.tempfile_in(folder)?;
-    new.write_all(bytes)?;
+    let new = temporary_file(folder, bytes)?;
     if let Some(old) = old {
         new.as_file().set_permissions(old.permissions())?;
     }
     new.as_file().sync_all()?;
     new.persist(&path).map_err(|error| error.error)?;
     sync_folder(folder)
+}
+
+/// Make the file `path` of `bytes`, all or nothing; never in the place of another.
+pub(super) fn create_file(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    let folder = pattern::folder_of(path);
+    let new = temporary_file(folder, bytes)?;
+    new.as_file().sync_all()?;
+    new.persist_noclobber(path).map_err(|error| error.error)?;
+    sync_folder(folder)
+}
+
+fn temporary_file(folder: &Path, bytes: &[u8]) -> io::Result<NamedTempFile> {
+    let mut builder = Builder::new();
+    builder.prefix(".softbox-").suffix(".tmp");
+    #[cfg(unix)]
+    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666)); // less the umask, as any new file
+    let mut new = builder.tempfile_in(folder)?;
+    new.write_all(bytes)?;
+    Ok(new)
 }
 
 /// The file that `path` stands for when all symbolic links are followed; it need not exist.

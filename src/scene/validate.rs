@@ -2,12 +2,11 @@
 
 use std::collections::BTreeSet;
 use std::ops::Bound::{self, Excluded, Included};
-use std::path::Component;
 
 use glam::DVec3;
 
 use super::nearest::{quoted, suggestion};
-use super::{Camera, Display, Path, Plot, PlotKind, Problem, Scene};
+use super::{Camera, Display, Path, Plot, PlotKind, Problem, Scene, pattern};
 use crate::light::{Light, Line, Polygon, Shape, Sky, Sphere, Tint, luminance_of};
 use crate::surface::{self, Material, ReflectionModel, Surface};
 
@@ -38,6 +37,7 @@ pub fn validate(scene: &Scene) -> Vec<Problem> {
     checker.each(&root.key("surface"), surfaces, |surface| &surface.name, Checker::surface);
     checker.each(&root.key("light"), lights, |light| &light.name, Checker::light);
     checker.each(&root.key("plot"), plots, |plot| &plot.name, Checker::plot);
+    checker.problems.extend(pattern::ambiguous(lights));
     checker.problems
 }
 
@@ -274,8 +274,7 @@ impl Checker<'_> {
     /// Files named in a scene stay below its folder.
     fn file(&mut self, path: &Path, name: &str) {
         self.text(path, name);
-        let inside = std::path::Path::new(name).components().all(|part| matches!(part, Component::Normal(_)));
-        if name.is_empty() || !inside {
+        if !pattern::is_inside(name) {
             let message = format!("`{name}` leaves the scene's folder; write a name such as \"textures/leaf.png\"");
             self.report(path, if name.is_empty() { "is empty; write a file's name".to_owned() } else { message });
         }

@@ -1,0 +1,316 @@
+//! The pattern files of a scene's lights: read, refused, and saved beside another scene.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::io::{self, Cursor, Read};
+use std::path::{Component, Path, PathBuf};
+use std::sync::Arc;
+
+use image::{DynamicImage, ImageDecoder, ImageFormat, ImageReader, Limits};
+
+use super::save::{SaveError, create_file};
+use super::{Problem, Scene};
+use crate::light::pattern::{Channel, Contents, Image, Pattern};
+use crate::light::{Light, Shape};
+
+/// Pattern files larger than this are refused before they are read, bytes.
+pub const MAX_PATTERN_BYTES: u64 = 320 << 20;
+
+/// Patterns have at most this many columns, and as many rows.
+pub const MAX_PATTERN_SIZE: u32 = 4096;
+
+/// The patterns of a scene have together at most this many texels: four of the largest size.
+const MAX_TEXELS: u64 = 4 * (MAX_PATTERN_SIZE as u64).pow(2);
+
+/// Memory that a decoder may take for one pattern: four single-precision channels, twice over.
+const MAX_DECODER_BYTES: u64 = 32 * (MAX_PATTERN_SIZE as u64).pow(2);
+
+/// Whether a name is that of a file below the scene's folder.
+pub(super) fn is_inside(name: &str) -> bool {
+    !name.is_empty() && Path::new(name).components().all(|part| matches!(part, Component::Normal(_)))
+}
+
+/// The folder that a file is in.
+pub(super) fn folder_of(path: &Path) -> &Path {
+    match path.parent() {
+        Some(folder) if folder != Path::new("") => folder,
+        _ => Path::new("."),
+    }
+}
+
+/// Read the patterns of lights, each file once; `read` gives the bytes of the file of a name. What is wrong with them
+/// is returned; names that leave the scene's folder are not read.
+pub(super) fn read_all(lights: &mut [Light], mut read: impl FnMut(&str) -> io::Result<Vec<u8>>) -> Vec<Problem> {
+    let mut known: BTreeMap<String, Result<Pattern, String>> = BTreeMap::new();
+    let mut texels_left = MAX_TEXELS;
+    let mut problems = Vec::new();
+    for (i, light) in lights.iter_mut().enumerate() {
+        let Some(pattern) = pattern_mut(light) else { continue };
+        if !is_inside(&pattern.file) {
+            continue;
+        }
+        let open = || read_pattern(&pattern.file, &mut read, &mut texels_left);
+        match known.entry(pattern.file.clone()).or_insert_with(open) {
+            Ok(found) => *pattern = found.clone(),
+            Err(message) => problems.push(Problem::new(path(i), message.clone())),
+        }
+    }
+    problems
+}
+
+/// The path of a light's pattern.
+fn path(light: usize) -> super::Path {
+    super::Path::default().key("light").index(light).key("shape").key("textured").key("pattern")
+}
+
+fn pattern_of(light: &Light) -> Option<&Pattern> {
+    if let Shape::Textured(textured) = &light.shape { Some(&textured.pattern) } else { None }
+}
+
+fn pattern_mut(light: &mut Light) -> Option<&mut Pattern> {
+    if let Shape::Textured(textured) = &mut light.shape { Some(&mut textured.pattern) } else { None }
+}
+
+fn read_pattern(
+    name: &str,
+    read: &mut impl FnMut(&str) -> io::Result<Vec<u8>>,
+    texels_left: &mut u64,
+) -> Result<Pattern, String> {
+    let bytes = read(name).map_err(|cause| {
+        format!(
+            "`{name}` cannot be read: {cause}; write the name of a PNG, JPEG, EXR or HDR file in the scene's folder"
+        )
+    })?;
+    let image = decode(&bytes, texels_left).map_err(|wrong| format!("`{name}` {wrong}"))?;
+    Ok(Pattern { file: name.to_owned(), image, contents: Contents(bytes.into()) })
+}
+
+/// The bytes of a regular file below `folder` that is not too large, whatever links lead to it.
+pub(super) fn read_file(folder: &Path, name: &str) -> io::Result<Vec<u8>> {
+    let path = fs::canonicalize(folder.join(name))?;
+    if !path.starts_with(fs::canonicalize(folder)?) {
+        return Err(leaves_folder());
+    }
+    let metadata = fs::metadata(&path)?;
+    if metadata.is_dir() {
+        return Err(io::Error::other("it is a directory"));
+    }
+    if !metadata.is_file() {
+        return Err(io::Error::other("it is not a regular file"));
+    }
+    if metadata.len() > MAX_PATTERN_BYTES {
+        return Err(io::Error::other(format!("it is larger than {} MiB", MAX_PATTERN_BYTES >> 20)));
+    }
+    let mut bytes = Vec::new();
+    fs::File::open(path)?.take(MAX_PATTERN_BYTES).read_to_end(&mut bytes)?;
+    Ok(bytes)
+}
+
+fn leaves_folder() -> io::Error {
+    io::Error::other("a link leads out of the scene's folder")
+}
+
+/// The image in a file's bytes, or what is wrong with it. Sizes are checked before memory is taken for them, and what
+/// the image has is taken from `texels_left`.
+fn decode(bytes: &[u8], texels_left: &mut u64) -> Result<Image, String> {
+    let format = image::guess_format(bytes).ok();
+    let Some(format @ (ImageFormat::Png | ImageFormat::Jpeg | ImageFormat::OpenExr | ImageFormat::Hdr)) = format else {
+        return Err("is no PNG, JPEG, EXR or HDR picture; save it as one of these".to_owned());
+    };
+    let damaged = |error: image::ImageError| {
+        let error = error.to_string().replace(char::is_control, " ");
+        format!("cannot be decoded: {error}; save it anew as PNG, JPEG, EXR or HDR")
+    };
+    if format == ImageFormat::OpenExr {
+        check_exr(bytes)?;
+    }
+    if format == ImageFormat::Jpeg && !is_whole_jpeg(bytes) {
+        return Err("cannot be decoded: its end is missing; save it anew as JPEG".to_owned());
+    }
+    let mut limits = Limits::no_limits();
+    limits.max_alloc = Some(MAX_DECODER_BYTES);
+    let mut reader = ImageReader::with_format(Cursor::new(bytes), format);
+    reader.limits(limits);
+    let mut decoder = reader.into_decoder().map_err(damaged)?;
+    let (width, height) = decoder.dimensions();
+    check_size(width.into(), height.into())?;
+    *texels_left = texels_left
+        .checked_sub(u64::from(width) * u64::from(height))
+        .ok_or_else(|| format!("is too much: a scene's patterns have at most {MAX_TEXELS} texels; scale some down"))?;
+    let orientation = decoder.orientation().map_err(damaged)?;
+    let mut picture = DynamicImage::from_decoder(decoder).map_err(damaged)?;
+    picture.apply_orientation(orientation);
+    image_of(&picture)
+}
+
+fn check_size(width: u64, height: u64) -> Result<(), String> {
+    let most = MAX_PATTERN_SIZE;
+    if width == 0 || height == 0 {
+        return Err("has no texels; save a picture of at least 1 x 1".to_owned());
+    }
+    if width.max(height) > most.into() {
+        return Err(format!("is {width} x {height} texels; scale it to at most {most} x {most}"));
+    }
+    Ok(())
+}
+
+/// Whether the last scan of a JPEG file has an end; the decoder itself would make up what is missing.
+fn is_whole_jpeg(bytes: &[u8]) -> bool {
+    let last = |marker: [u8; 2]| bytes.windows(2).rposition(|window| window == marker);
+    last([0xff, 0xd9]) > last([0xff, 0xda])
+}
+
+/// What the header of an EXR file says of its parts, which the decoder itself would believe.
+fn check_exr(bytes: &[u8]) -> Result<(), String> {
+    let metadata = exr::meta::MetaData::read_from_buffered(bytes, false)
+        .map_err(|error| format!("cannot be decoded: {error}; save it anew as EXR"))?;
+    for header in &metadata.headers {
+        let exr::math::Vec2(width, height) = header.layer_size;
+        check_size(width as u64, height as u64)?;
+        if header.max_block_byte_size() as u64 > MAX_DECODER_BYTES {
+            return Err("has blocks that are larger than a picture; save it anew as EXR".to_owned());
+        }
+    }
+    Ok(())
+}
+
+/// The linear texels of a picture. Integers are sRGB-encoded, and times their alpha; floating-point colours are linear
+/// and, by EXR's rule, already hold it.
+fn image_of(picture: &DynamicImage) -> Result<Image, String> {
+    let width = picture.width() as usize;
+    let colors = if picture.color().has_color() { 3 } else { 1 };
+    let stride = usize::from(picture.color().channel_count());
+    let channels: Vec<Vec<f32>> = match picture {
+        DynamicImage::ImageRgb32F(pixels) => split(pixels, stride, colors),
+        DynamicImage::ImageRgba32F(pixels) => split(pixels, stride, colors),
+        _ if picture.color().bytes_per_pixel() == picture.color().channel_count() => {
+            decoded(picture.as_bytes(), stride, colors, u8::MAX.into())
+        }
+        _ => {
+            let (pairs, _) = picture.as_bytes().as_chunks::<2>();
+            let codes: Vec<u16> = pairs.iter().map(|pair| u16::from_ne_bytes(*pair)).collect();
+            decoded(&codes, stride, colors, u16::MAX)
+        }
+    };
+    if channels.iter().flatten().all(|value| *value == 0.0) {
+        return Err("is black all over; give it at least one texel that shines".to_owned());
+    }
+    let arc = |values, name| channel(width, values, name).map(Arc::new);
+    match <[Vec<f32>; 3]>::try_from(channels) {
+        Ok([red, green, blue]) if red == green && green == blue => Ok(Image::Grey(arc(red, "value")?)),
+        Ok([red, green, blue]) => Ok(Image::Color([arc(red, "red")?, arc(green, "green")?, arc(blue, "blue")?])),
+        Err(grey) => Ok(Image::Grey(arc(grey.concat(), "value")?)),
+    }
+}
+
+/// A channel, or which of its texels is none.
+fn channel(width: usize, texels: Vec<f32>, name: &str) -> Result<Channel, String> {
+    let wrong = texels.iter().enumerate().find(|(_, value)| !(value.is_finite() && **value >= 0.0));
+    if let Some((i, value)) = wrong {
+        let (row, column) = (i / width, i % width);
+        return Err(format!(
+            "has {value} as {name} in row {row}, column {column}; texels must be finite and not negative"
+        ));
+    }
+    Channel::new(width, texels).ok_or_else(|| "has incomplete rows; save it anew".to_owned())
+}
+
+/// The first `colors` of every `stride` samples, each in its own channel.
+fn split(samples: &[f32], stride: usize, colors: usize) -> Vec<Vec<f32>> {
+    (0..colors).map(|color| samples.iter().skip(color).step_by(stride).copied().collect()).collect()
+}
+
+/// [`split`] for sRGB codes from 0 to `white`, times alpha where there is a sample more.
+fn decoded<T: Copy + Into<u16>>(codes: &[T], stride: usize, colors: usize, white: u16) -> Vec<Vec<f32>> {
+    let share = |code: u16| f64::from(code) / f64::from(white);
+    let linear: Vec<f64> = (0..=white).map(|code| linear_from_srgb(share(code))).collect();
+    let value = |texel: &[T], color: usize| {
+        let alpha = if stride > colors { share(texel[colors].into()) } else { 1.0 };
+        single(linear[usize::from(texel[color].into())] * alpha)
+    };
+    (0..colors).map(|color| codes.chunks_exact(stride).map(|texel| value(texel, color)).collect()).collect()
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "texels are kept in single precision")]
+fn single(value: f64) -> f32 {
+    value as f32
+}
+
+/// The inverse of the sRGB encoding (IEC 61966-2-1).
+fn linear_from_srgb(code: f64) -> f64 {
+    if code <= 0.04045 { code / 12.92 } else { ((code + 0.055) / 1.055).powf(2.4) }
+}
+
+/// The scene with its patterns as its text alone gives them.
+pub(super) fn unread(scene: &Scene) -> Scene {
+    let mut scene = scene.clone();
+    for pattern in scene.lights.iter_mut().filter_map(pattern_mut) {
+        *pattern = Pattern::unread(std::mem::take(&mut pattern.file));
+    }
+    scene
+}
+
+/// Lights whose patterns have one file's name, but are different pictures.
+pub(super) fn ambiguous(lights: &[Light]) -> Vec<Problem> {
+    let mut first: BTreeMap<&str, (usize, &Pattern)> = BTreeMap::new();
+    let mut problems = Vec::new();
+    for (i, light) in lights.iter().enumerate() {
+        let Some(pattern) = pattern_of(light) else { continue };
+        let (j, other) = *first.entry(&pattern.file).or_insert((i, pattern));
+        if other.image != pattern.image {
+            let message =
+                format!("`{}` is another picture here than in light[{j}]; give it its own name", pattern.file);
+            problems.push(Problem::new(path(i), message));
+        }
+    }
+    problems
+}
+
+/// Rename a light's pattern, `leaf.png` to `leaf-2.png`, while `others` have a different picture of its name.
+pub fn keep_apart(light: &mut Light, others: &[Light]) {
+    let Some(pattern) = pattern_mut(light) else { return };
+    let file = PathBuf::from(&pattern.file);
+    let is_taken = |pattern: &Pattern| {
+        others.iter().filter_map(pattern_of).any(|other| other.file == pattern.file && other.image != pattern.image)
+    };
+    let part = |part: Option<&std::ffi::OsStr>| part.unwrap_or_default().to_string_lossy().into_owned();
+    let (stem, extension) = (part(file.file_stem()), part(file.extension()));
+    for number in 2.. {
+        if !is_taken(pattern) {
+            break;
+        }
+        let name = file.with_file_name(format!("{stem}-{number}")).with_extension(&extension);
+        pattern.file = name.to_string_lossy().into_owned();
+    }
+}
+
+/// Put the patterns of lights that are not there yet beside the scene's file `scene`.
+pub(super) fn write_missing(lights: &[Light], scene: &Path) -> Result<(), SaveError> {
+    for pattern in lights.iter().filter_map(pattern_of) {
+        write_pattern(pattern, folder_of(scene)).map_err(|cause| SaveError::Pattern {
+            file: scene.to_owned(),
+            pattern: folder_of(scene).join(&pattern.file),
+            cause,
+        })?;
+    }
+    Ok(())
+}
+
+fn write_pattern(pattern: &Pattern, folder: &Path) -> io::Result<()> {
+    match read_file(folder, &pattern.file) {
+        Ok(bytes) if bytes == *pattern.contents.0 => Ok(()),
+        Ok(_) => Err(io::Error::other("there is another file of that name; rename one of the two")),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => {
+            if pattern.contents.0.is_empty() {
+                return Err(io::Error::other("it has not been read from a file"));
+            }
+            let path = folder.join(&pattern.file);
+            fs::create_dir_all(folder_of(&path))?;
+            if !fs::canonicalize(folder_of(&path))?.starts_with(fs::canonicalize(folder)?) {
+                return Err(leaves_folder());
+            }
+            create_file(&path, &pattern.contents.0)
+        }
+        Err(error) => Err(error),
+    }
+}
