@@ -5,6 +5,7 @@ use std::collections::HashMap;
 use super::gbuffer::{GBuffer, GBufferPass, Seen};
 use super::lights::{LightData, Responder};
 use super::pass::{self, Binding, Target};
+use super::table::Tables;
 use super::types::Lobe;
 use super::view::Stats;
 
@@ -17,14 +18,16 @@ pub(crate) struct LayerPass {
     gbuffer_layout: wgpu::BindGroupLayout,
     light_layout: wgpu::BindGroupLayout,
     pipelines: HashMap<Responder, wgpu::RenderPipeline>,
+    tables: Tables,
 }
 
 impl LayerPass {
     pub(crate) fn new(device: &wgpu::Device) -> Self {
         Self {
             gbuffer_layout: pass::bind_group_layout(device, &[Binding::Texture, Binding::Texture, Binding::Storage]),
-            light_layout: pass::bind_group_layout(device, &[Binding::Uniform, Binding::Storage]),
+            light_layout: pass::bind_group_layout(device, &[Binding::Uniform, Binding::Storage, Binding::Storage]),
             pipelines: HashMap::new(),
+            tables: Tables::default(),
         }
     }
 
@@ -43,7 +46,8 @@ impl LayerPass {
             .or_insert_with(|| pass::pipeline(device, &light.responder.source(), "layer", &layouts, &[FORMAT]));
         let uniform = pass::buffer(device, &light.uniform, wgpu::BufferUsages::UNIFORM);
         let vertices = pass::storage(device, &light.vertices);
-        let resources = [uniform.as_entire_binding(), vertices.as_entire_binding()];
+        let table = self.tables.buffer(device, &light.table);
+        let resources = [uniform.as_entire_binding(), vertices.as_entire_binding(), table.as_entire_binding()];
         let group = pass::bind_group(device, &self.light_layout, &resources);
         pass::run(encoder, pipeline, &[gbuffer, &group], &[&target.view]);
     }

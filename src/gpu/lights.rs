@@ -1,16 +1,19 @@
 //! Lights as the layer shaders read them, and which shader answers for which light and method.
 
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 use glam::DVec3;
 
 use super::shader::{Module, Source};
+use super::table::Table;
 use super::types::{
-    ClusterLight, DirectionalLight, LineLight, Lobe, PointLight, PolygonLight, SphereLight, f32_of, u32_of, vec3_of,
-    vec4_of,
+    ClusterLight, DirectionalLight, LineLight, Lobe, OneShotLight, PointLight, PolygonLight, SphereLight, f32_of,
+    u32_of, vec3_of, vec4_of,
 };
 use crate::light::{Emitter, LineEmitter, PolygonEmitter, SphereEmitter};
 use crate::shading::cluster::{self, PointOfArea};
+use crate::shading::one_shot::{KNOTS, Kernel, OneShot, Radius};
 use crate::shading::{Method, PhongLobe, disk, textured};
 
 // How a cluster's points emit, in `cluster.wgsl`; isotropic is 0.
@@ -42,6 +45,9 @@ impl Responder {
     const POLYGON_EXACT: Self = Self { modules: &[Module::POINT, Module::POLYGON], function: "polygon_respond_exact" };
     const POLYGON_NEAREST_POINT: Self =
         Self { modules: &[Module::POINT, Module::POLYGON], function: "polygon_respond_nearest_point" };
+    const ONE_SHOT: Self = Self { modules: &[Module::ONE_SHOT], function: "one_shot_respond" };
+    const ONE_SHOT_SQUARE: Self = Self { modules: &[Module::ONE_SHOT], function: "one_shot_respond_square" };
+    const ONE_SHOT_SIZED: Self = Self { modules: &[Module::ONE_SHOT], function: "one_shot_respond_sized" };
     const CLUSTER: Self = Self { modules: &[Module::POINT, Module::CLUSTER], function: "cluster_respond" };
 
     /// Every one.
@@ -59,6 +65,9 @@ impl Responder {
         Self::SPHERE_CLUSTER,
         Self::POLYGON_EXACT,
         Self::POLYGON_NEAREST_POINT,
+        Self::ONE_SHOT,
+        Self::ONE_SHOT_SQUARE,
+        Self::ONE_SHOT_SIZED,
     ];
 
     /// The whole shader of a layer.
@@ -78,11 +87,16 @@ pub(crate) struct LightData {
     pub(crate) uniform: Vec<u8>,
     /// Its vertices; never empty, because a binding may not be.
     pub(crate) vertices: Vec<[f32; 4]>,
+    /// Its table.
+    pub(crate) table: Table,
 }
 
 impl LightData {
     /// An emitter as `method` sees it, about the eye. `reference` has no shader: the closed form stands in.
     pub(crate) fn new(emitter: &Emitter, method: Method, eye: DVec3) -> Self {
+        if let Some(one_shot) = OneShot::new(emitter, method) {
+            return Self::one_shot(&one_shot, eye);
+        }
         match emitter {
             Emitter::Point(light) => {
                 let position = vec3_of(light.position - eye);
@@ -126,6 +140,7 @@ impl LightData {
             responder,
             uniform: bytemuck::bytes_of(&uniform).to_vec(),
             vertices: light.vertices.iter().map(|vertex| vec4_of(*vertex - eye, 0.0)).collect(),
+            table: Table::None,
         }
     }
 
@@ -174,14 +189,41 @@ impl LightData {
         Self::cluster(points, ClusterLight { falloff: 2.0, ..Default::default() })
     }
 
+    fn one_shot(light: &OneShot, eye: DVec3) -> Self {
+        let (frame, pattern, kernel) = (light.frame(), light.pattern(), light.radius().kernel());
+        let fitted = light.radius() != Radius::Sized;
+        let mut shares = [[0.0; 4]; 2];
+        for (i, share) in shares.iter_mut().flatten().take(KNOTS).enumerate().filter(|_| fitted) {
+            *share = f32_of(pattern.specular_knot(kernel, i).log2());
+        }
+        let uniform = OneShotLight {
+            center: vec3_of(frame.center - eye),
+            texel: f32_of(frame.texel),
+            axis_u: vec3_of(frame.axis_u),
+            alpha: if fitted { f32_of(pattern.alpha(kernel)) } else { 0.0 },
+            axis_v: vec3_of(frame.axis_v),
+            radius: f32_of(pattern.radius()),
+            normal: vec3_of(frame.normal),
+            two_sided: u32::from(frame.two_sided),
+            shares,
+        };
+        let responder = match light.radius() {
+            Radius::Fitted(Kernel::Disk) => Responder::ONE_SHOT,
+            Radius::Fitted(Kernel::Square) => Responder::ONE_SHOT_SQUARE,
+            Radius::Sized => Responder::ONE_SHOT_SIZED,
+        };
+        let table = Table::Pattern(Arc::clone(pattern), kernel);
+        Self { table, ..Self::without_vertices(responder, &uniform) }
+    }
+
     fn without_vertices<T: bytemuck::Pod>(responder: Responder, uniform: &T) -> Self {
-        Self { responder, uniform: bytemuck::bytes_of(uniform).to_vec(), vertices: vec![[0.0; 4]] }
+        Self { responder, uniform: bytemuck::bytes_of(uniform).to_vec(), vertices: vec![[0.0; 4]], table: Table::None }
     }
 
     fn cluster(points: Vec<[f32; 4]>, uniform: ClusterLight) -> Self {
         let uniform = ClusterLight { count: u32_of(points.len()), ..uniform };
         let uniform = bytemuck::bytes_of(&uniform).to_vec();
-        Self { responder: Responder::CLUSTER, uniform, vertices: points }
+        Self { responder: Responder::CLUSTER, uniform, vertices: points, table: Table::None }
     }
 }
 

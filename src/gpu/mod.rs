@@ -15,6 +15,7 @@ mod pass;
 mod preview;
 mod read_back;
 mod shader;
+mod table;
 #[cfg(test)]
 mod tests;
 pub mod twin;

@@ -33,6 +33,8 @@ modules! {
     LINE = "line.wgsl";
     /// Polygonal lights.
     POLYGON = "polygon.wgsl";
+    /// Flat lights as one point light a component.
+    ONE_SHOT = "one_shot.wgsl";
     /// Spherical lights.
     SPHERE = "sphere.wgsl";
     /// The pass's triangle.

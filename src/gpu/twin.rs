@@ -3,6 +3,7 @@
 pub mod cases;
 
 use std::fmt;
+use std::sync::Arc;
 
 use glam::DVec3;
 
@@ -11,8 +12,10 @@ use super::lights;
 use super::pass;
 use super::read_back::{self, ReadBackError};
 use super::shader::{Module, Source};
+use super::table;
 use super::types::{TwinRow, f32_of, u32_of, vec4_of};
 use crate::shading::PhongLobe;
+use crate::shading::one_shot::{Kernel, Prefiltered};
 
 /// A WGSL function that has a twin of the same name in `shading`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -72,6 +75,12 @@ functions! {
     /// Row: vector to the centre, radius, number of directions, normal, mirror direction, exponent.
     SPHERE_CLUSTER = "sphere_cluster" in &[Module::POINT, Module::SPHERE],
         "(v(0), f(3), u32(f(4)), v(5), v(8), f(11)).specular";
+    /// Row: an axis' parts along a plane and away from it, exponent.
+    BRIGHTEST_STEP = "brightest_step" in &[Module::ONE_SHOT], "(f(0), f(1), f(2))";
+    /// Row: place, radius; and a disk table. Its twin is [`crate::shading::one_shot::DiskTable::sum`].
+    DISK_SUM = "disk_sum" in &[Module::ONE_SHOT], "(vec2f(f(0), f(1)), f(2))";
+    /// Row: place, radius; and a mipmap. Its twin is [`crate::shading::one_shot::Mipmap::sum`].
+    SQUARE_SUM = "square_sum" in &[Module::ONE_SHOT], "(vec2f(f(0), f(1)), f(2))";
     /// Row: y, x. Its twin is `f64::atan2`.
     ARCTANGENT = "arctangent" in &[], "(f(0), f(1))";
 }
@@ -82,11 +91,13 @@ pub struct Row {
     numbers: Vec<f32>,
     vertices: Vec<[f32; 4]>,
     lobe: PhongLobe,
+    table: table::Table,
 }
 
 impl Default for Row {
     fn default() -> Self {
-        Self { numbers: Vec::new(), vertices: Vec::new(), lobe: PhongLobe::new(1.0) }
+        let (numbers, vertices) = (Vec::new(), Vec::new());
+        Self { numbers, vertices, lobe: PhongLobe::new(1.0), table: table::Table::None }
     }
 }
 
@@ -115,6 +126,15 @@ impl Row {
     #[must_use]
     pub fn lobe(mut self, lobe: PhongLobe) -> Self {
         self.lobe = lobe;
+        self
+    }
+}
+
+impl Row {
+    /// Sets the table; one run has that of its first row.
+    #[must_use]
+    pub fn pattern(mut self, pattern: &Arc<Prefiltered>, kernel: Kernel) -> Self {
+        self.table = table::Table::Pattern(Arc::clone(pattern), kernel);
         self
     }
 }
@@ -204,9 +224,7 @@ impl Twin {
     ///
     /// [`ReadBackError`] where the device was lost.
     pub fn run(&self, rows: &[Row]) -> Result<Vec<f32>, ReadBackError> {
-        if rows.is_empty() {
-            return Ok(Vec::new());
-        }
+        let Some(first) = rows.first() else { return Ok(Vec::new()) };
         let device = &self.context.device;
         let table = Table::new(rows);
         let size = (rows.len() * size_of::<f32>()) as u64;
@@ -219,7 +237,9 @@ impl Twin {
         let vertices = pass::storage(device, &table.vertices);
         let places = pass::storage(device, &table.rows);
         let numbers = pass::storage(device, &table.numbers);
-        let groups = [vec![(2, &lobes)], vec![(1, &vertices)], vec![(0, &places), (1, &numbers), (2, &results)]];
+        let large = pass::storage(device, &first.table.numbers());
+        let groups =
+            [vec![(2, &lobes)], vec![(1, &vertices), (2, &large)], vec![(0, &places), (1, &numbers), (2, &results)]];
 
         let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         {
@@ -269,7 +289,7 @@ fn layouts(device: &wgpu::Device) -> [wgpu::BindGroupLayout; 3] {
             .collect();
         device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: None, entries: &entries })
     };
-    [layout(&[(2, true)]), layout(&[(1, true)]), layout(&[(0, true), (1, true), (2, false)])]
+    [layout(&[(2, true)]), layout(&[(1, true), (2, true)]), layout(&[(0, true), (1, true), (2, false)])]
 }
 
 /// Rows in the layout of `twin.wgsl`.

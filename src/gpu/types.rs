@@ -106,6 +106,19 @@ gpu_structs! {
         pad: [u32; 2],
     }
 
+    /// A flat light for one-shot.
+    OneShotLight {
+        center: Vec3,
+        texel: f32,
+        axis_u: Vec3,
+        alpha: f32,
+        axis_v: Vec3,
+        radius: f32,
+        normal: Vec3,
+        two_sided: u32,
+        shares: [[f32; 4]; 2],
+    }
+
     /// One batch of the composite.
     Composite {
         adds: u32,

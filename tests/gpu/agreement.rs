@@ -136,7 +136,19 @@ impl Seen {
 fn every_primitive_and_light_looks_the_same() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/everything.toml");
     let scene = scene::load(&path).expect("the scene loads");
-    for method in ["exact", "chebyshev", "nearest-point", "hermite-1", "hermite-2", "point-cluster", "point"] {
+    let methods = [
+        "exact",
+        "chebyshev",
+        "nearest-point",
+        "hermite-1",
+        "hermite-2",
+        "one-shot",
+        "one-shot-square",
+        "one-shot-sized",
+        "point-cluster",
+        "point",
+    ];
+    for method in methods {
         check("everything", &scene, method.parse().expect("a method"));
     }
 }

@@ -9,6 +9,7 @@ mod cases;
 mod tracking;
 mod twins;
 mod twins_of_lines;
+mod twins_of_one_shot;
 mod twins_of_polygons;
 mod twins_of_spheres;
 mod verify;

@@ -53,24 +53,30 @@ impl View {
         Spot { place, step, distance, falloff: self.height / (distance * distance * distance), cosine }
     }
 
-    /// The point of the plane that maximises cos(ω, light's normal)·cosᵐ(ω, axis)/distance².
-    ///
-    /// It is on the line from the foot along the axis, at the positive root t of 3N_x t² − (m+3)hN_z t − m N_x h² = 0,
-    /// with N_x and N_z the axis' parts along and away from the plane.
-    ///
-    /// **Source:** [`crate::refs::ONE_SHOT`], eq. (9), (10) and appendices A and B, without their angles.
-    /// **Domain:** none where the root runs to infinity, for an axis that leads straight away from the plane.
+    /// The point of the plane that maximises cos(ω, light's normal)·cosᵐ(ω, axis)/distance²: [`brightest_step`] from
+    /// the foot along the axis. None where it runs to infinity.
     pub fn brightest(&self, axis: &Axis, m: f64) -> Option<Spot> {
-        let Axis { along, tangential, away } = *axis;
-        let root = ((m + 3.0) * away).hypot((12.0 * m).sqrt() * tangential);
-        let t = if away <= 0.0 {
-            2.0 * m * tangential / (root - (m + 3.0) * away)
-        } else {
-            ((m + 3.0) * away + root) / (6.0 * tangential)
-        };
-        (t <= FARTHEST).then(|| self.spot(self.foot + t * self.height * along, axis))
+        let t = brightest_step(axis.tangential, axis.away, m);
+        (t < FARTHEST).then(|| self.spot(self.foot + t * self.height * axis.along, axis))
     }
 }
 
-/// In heights; farther away, the maximum is below 1e-17 of a facing axis' one.
-const FARTHEST: f64 = 1e6;
+/// The greatest step, in heights. Beyond it the light is below 1e-17 of a facing axis' one.
+pub const FARTHEST: f64 = 1e6;
+
+/// How far from the foot, in heights, a lobe about an axis with those parts along the plane and away from it finds the
+/// plane brightest, at most [`FARTHEST`].
+///
+/// The positive root of 3N_x t² − (m+3)N_z t − m N_x = 0, where the derivative along the axis is zero.
+///
+/// **Source:** [`crate::refs::ONE_SHOT`], eq. (9), (10) and appendices A and B, without their angles.
+/// **Domain:** any m > 0. For an axis away from the plane the root runs to infinity as N_x goes to 0.
+/// **Twin:** `shaders/one_shot.wgsl`.
+pub fn brightest_step(tangential: f64, away: f64, m: f64) -> f64 {
+    let b = (m + 3.0) * away;
+    let root = b.hypot((12.0 * m).sqrt() * tangential);
+    if away <= 0.0 {
+        return if root - b > 0.0 { 2.0 * m * tangential / (root - b) } else { 0.0 };
+    }
+    if b + root < FARTHEST * 6.0 * tangential { (b + root) / (6.0 * tangential) } else { FARTHEST }
+}

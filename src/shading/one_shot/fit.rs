@@ -28,7 +28,7 @@ pub struct Samples {
 
 impl Samples {
     /// What lights are fitted with.
-    pub const FEW: Self = Self { heights: 10, tilts: 7, azimuths: 4 };
+    pub const FEW: Self = Self { heights: 8, tilts: 5, azimuths: 3 };
 
     /// All points of view for an exponent.
     fn views(self, exponent: f64) -> impl Iterator<Item = (f64, f64, f64)> {
@@ -157,7 +157,7 @@ fn exact_radius(pattern: &Prefiltered, kernel: Kernel, view: &View, axis: &Axis,
     let Some(spot) = view.brightest(axis, m) else { return 0.0 };
     let intensity = exact / (spot.falloff * spot.cosine.powf(m));
     let (mut low, mut high) = (0.0, spot.place.abs().max_element() + 2.0 * SIDE as f64);
-    for _ in 0..40 {
+    for _ in 0..HALVINGS {
         let middle = 0.5 * (low + high);
         if pattern.true_sum(kernel, spot.place, middle) < intensity {
             low = middle;
@@ -167,6 +167,9 @@ fn exact_radius(pattern: &Prefiltered, kernel: Kernel, view: &View, axis: &Axis,
     }
     0.5 * (low + high) / spot.distance
 }
+
+/// Of the interval that the radius is sought in.
+const HALVINGS: u32 = 28;
 
 /// Greatest side of a cell, in distances over √(m+3), which is the width of the integrand.
 const FINENESS: f64 = 0.5;

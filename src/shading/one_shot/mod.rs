@@ -12,7 +12,7 @@ mod kernel;
 mod mipmap;
 mod prefiltered;
 
-pub use brightest::{Axis, Spot, View};
+pub use brightest::{Axis, FARTHEST, Spot, View, brightest_step};
 pub use fit::{Component, Fit, Sample, Samples, error_at, fit};
 pub use grid::{Frame, Grid, SIDE};
 pub use kernel::{DiskTable, LEVELS, REACH, TABLE_SIDE};
@@ -94,8 +94,13 @@ impl OneShot {
     }
 
     /// Its pattern.
-    pub fn pattern(&self) -> &Prefiltered {
+    pub fn pattern(&self) -> &Arc<Prefiltered> {
         &self.pattern
+    }
+
+    /// Its rule for the radius.
+    pub fn radius(&self) -> Radius {
+        self.radius
     }
 
     /// Response of the light of unit luminance.
