@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use criterion::Criterion;
 use glam::DVec2;
-use softbox::light::{Directional, Line, LineEmission, Point, Polygon, Shape, Sphere};
+use softbox::light::{Directional, Line, Point, Polygon, Shape, Sphere};
 use softbox::shading::Method;
 
 /// The lights that are measured, each by every method that it has. A new one is a line here.
@@ -15,6 +15,7 @@ pub(crate) fn lights() -> Vec<(&'static str, Shape)> {
         ("line", line(2.0)),
         ("line n=1", line(1.0)),
         ("line n=2.5", line(2.5)),
+        ("tube", Shape::Line(Line::tube(1.0, 0.01))),
         ("4-gon", ring(4)),
         ("8-gon", ring(8)),
         ("sphere", Shape::Sphere(Sphere { radius: 0.3 })),
@@ -32,7 +33,7 @@ pub(crate) fn methods(shape: &Shape) -> impl Iterator<Item = Method> {
 }
 
 fn line(falloff: f64) -> Shape {
-    Shape::Line(Line { length: 1.0, emission: LineEmission::Isotropic, falloff })
+    Shape::Line(Line { falloff, ..Line::isotropic(1.0) })
 }
 
 fn ring(vertices: u32) -> Shape {
@@ -40,7 +41,7 @@ fn ring(vertices: u32) -> Shape {
     Shape::Polygon(Polygon { vertices: (0..vertices).map(corner).collect(), two_sided: false })
 }
 
-/// The time of one light, and of the point light that it is a multiple of, taken in turn.
+/// The least time so far of one light, and of the point light that it is a multiple of, taken in turn.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Times {
     /// Of the light.
@@ -65,20 +66,11 @@ impl Bench {
         Self { criterion: criterion.configure_from_args(), rows: Vec::new() }
     }
 
-    /// Measures light, part and method by `once`, which takes both times.
+    /// Measures light, part and method by `once`, which takes both times and answers the least of each so far.
     pub(crate) fn measure(&mut self, name: [&str; 3], mut once: impl FnMut() -> Times) {
-        let mut least: Option<Times> = None;
+        let mut least = None;
         self.criterion.bench_function(&name.join("/"), |bencher| {
-            bencher.iter_custom(|repetitions| {
-                (0..repetitions)
-                    .map(|_| {
-                        let now = once();
-                        let before = least.unwrap_or(now);
-                        least = Some(Times { light: before.light.min(now.light), point: before.point.min(now.point) });
-                        now.light
-                    })
-                    .sum()
-            });
+            bencher.iter_custom(|repetitions| (0..repetitions).map(|_| least.insert(once()).light).sum());
         });
         self.rows.extend(least.map(|times| (name.map(str::to_owned), times)));
     }

@@ -1,5 +1,5 @@
 use super::*;
-use crate::light::{Directional, Light, Line, LineEmission, Point, Polygon, Quantity, QuantityKind, Tint};
+use crate::light::{Directional, Light, Line, Point, Polygon, Quantity, QuantityKind, Tint};
 use crate::surface::{Material, ReflectionModel};
 
 fn light(shape: Shape, kind: QuantityKind, value: f64) -> Light {
@@ -119,7 +119,7 @@ fn errors_are_differences_to_exact_and_their_maximum_and_rms() {
 
 #[test]
 fn methods_are_those_of_the_lights_that_shine() {
-    let line = Shape::Line(Line { length: 1.0, emission: LineEmission::Isotropic, falloff: 2.0 });
+    let line = Shape::Line(Line::isotropic(1.0));
     let mut scene = scene(vec![
         light(Shape::Point(Point {}), QuantityKind::Intensity, 1.0),
         light(line, QuantityKind::IntensityPerMetre, 1.0),
@@ -142,7 +142,7 @@ fn cancelled_curves_are_none() {
 
 #[test]
 fn the_reference_has_a_band_and_the_exact_curve_lies_within_it() {
-    let line = Shape::Line(Line { length: 3.0, emission: LineEmission::Isotropic, falloff: 2.0 });
+    let line = Shape::Line(Line::isotropic(3.0));
     let scene = scene(vec![light(line, QuantityKind::IntensityPerMetre, 50.0)]);
     let curves = run(&scene, &plot(PlotKind::Line, PlotQuantity::Radiance, [-4.0, 4.0]), 33);
     let reference = curves.series.iter().find(|series| series.method == Method::Reference).unwrap();

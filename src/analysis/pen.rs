@@ -48,7 +48,7 @@ const fn bytes(hex: u32) -> [u8; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::light::{Cap, Disk, Light, Line, LineEmission, Polygon, Shape};
+    use crate::light::{Cap, Disk, Light, Line, Polygon, Shape};
     use crate::scene::Scene;
 
     /// Contrast of two colours after WCAG 2.2, 1…21.
@@ -67,7 +67,7 @@ mod tests {
         let square = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]].map(glam::DVec2::from_array);
         let shapes = [
             Shape::Polygon(Polygon { vertices: square.to_vec(), two_sided: false }),
-            Shape::Line(Line { length: 1.0, emission: LineEmission::Isotropic, falloff: 2.0 }),
+            Shape::Line(Line::isotropic(1.0)),
             Shape::Disk(Disk { radius: 1.0, two_sided: false }),
             Shape::Cap(Cap { half_angle_deg: 30.0 }),
         ];

@@ -10,7 +10,7 @@ use super::files::Then;
 use super::presets::Preset;
 use super::session::{Framing, Item, Session, Tool};
 use crate::analysis::methods_for;
-use crate::light::{self, Cap, Directional, Disk, Line, LineEmission, Point, Sky, Sphere};
+use crate::light::{self, Cap, Directional, Disk, Line, Point, Sky, Sphere};
 use crate::scene::{PlotKind, Scene};
 use crate::shading::Method;
 use crate::surface;
@@ -145,7 +145,7 @@ impl LightKind {
             Self::Disk => light::Shape::Disk(Disk { radius: 0.4, two_sided: false }),
             Self::Cap => light::Shape::Cap(Cap { half_angle_deg: 15.0 }),
             Self::Sky => light::Shape::Sky(Sky::OVERCAST),
-            Self::Line => light::Shape::Line(Line { length: 1.2, emission: LineEmission::Isotropic, falloff: 2.0 }),
+            Self::Line => light::Shape::Line(Line::isotropic(1.2)),
             Self::Sphere => light::Shape::Sphere(Sphere { radius: 0.2 }),
             Self::Point => light::Shape::Point(Point {}),
             Self::Directional => light::Shape::Directional(Directional {}),

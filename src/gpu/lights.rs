@@ -8,17 +8,18 @@ use glam::DVec3;
 use super::shader::{Module, Source};
 use super::table::Table;
 use super::types::{
-    ClusterLight, DirectionalLight, LineLight, Lobe, OneShotLight, PointLight, PolygonLight, SphereLight, f32_of,
-    u32_of, vec3_of, vec4_of,
+    ClusterLight, DirectionalLight, LineLight, OneShotLight, PointLight, PolygonLight, SphereLight, f32_of, u32_of,
+    vec3_of, vec4_of,
 };
 use crate::light::{Emitter, LineEmitter, PolygonEmitter, SphereEmitter};
 use crate::shading::cluster::{self, PointOfArea};
 use crate::shading::one_shot::{KNOTS, Kernel, OneShot, Radius};
-use crate::shading::{Method, PhongLobe, disk, textured};
+use crate::shading::{Method, disk, textured};
 
 // How a cluster's points emit, in `cluster.wgsl`; isotropic is 0.
 const ONE_SIDED: u32 = 1;
 const TWO_SIDED: u32 = 2;
+const TUBE: u32 = 3;
 
 /// The WGSL that answers for a light: one pipeline each.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -32,10 +33,12 @@ pub(crate) struct Responder {
 impl Responder {
     const POINT: Self = Self { modules: &[Module::POINT], function: "point_respond" };
     const DIRECTIONAL: Self = Self { modules: &[Module::POINT], function: "directional_respond" };
-    const LINE_EXACT: Self = Self { modules: &[Module::POINT, Module::LINE], function: "line_respond_exact" };
-    const LINE_CHEBYSHEV: Self = Self { modules: &[Module::POINT, Module::LINE], function: "line_respond_chebyshev" };
-    const LINE_NEAREST_POINT: Self =
-        Self { modules: &[Module::POINT, Module::LINE], function: "line_respond_nearest_point" };
+    const LINE_EXACT: Self = Self::line("line_respond_exact");
+    const LINE_CHEBYSHEV: Self = Self::line("line_respond_chebyshev");
+    const LINE_NEAREST_POINT: Self = Self::line("line_respond_nearest_point");
+    const LINE_EXACT_DECAYING: Self = Self::line("line_respond_exact_decaying");
+    const LINE_CHEBYSHEV_DECAYING: Self = Self::line("line_respond_chebyshev_decaying");
+    const LINE_NEAREST_POINT_DECAYING: Self = Self::line("line_respond_nearest_point_decaying");
     const SPHERE_EXACT: Self = Self { modules: &[Module::POINT, Module::SPHERE], function: "sphere_respond_exact" };
     const SPHERE_HERMITE_1: Self =
         Self { modules: &[Module::POINT, Module::SPHERE], function: "sphere_respond_hermite_1" };
@@ -59,6 +62,9 @@ impl Responder {
         Self::LINE_EXACT,
         Self::LINE_CHEBYSHEV,
         Self::LINE_NEAREST_POINT,
+        Self::LINE_EXACT_DECAYING,
+        Self::LINE_CHEBYSHEV_DECAYING,
+        Self::LINE_NEAREST_POINT_DECAYING,
         Self::SPHERE_EXACT,
         Self::SPHERE_HERMITE_1,
         Self::SPHERE_HERMITE_2,
@@ -69,6 +75,10 @@ impl Responder {
         Self::ONE_SHOT_SQUARE,
         Self::ONE_SHOT_SIZED,
     ];
+
+    const fn line(function: &'static str) -> Self {
+        Self { modules: &[Module::POINT, Module::LINE], function }
+    }
 
     /// The whole shader of a layer.
     pub(crate) fn source(&self) -> Source {
@@ -154,21 +164,28 @@ impl LightData {
     }
 
     fn line(light: &LineEmitter, method: Method, eye: DVec3) -> Self {
+        let plain = light.falloff == 2.0 && light.tube.is_none();
         let responder = match method {
             Method::PointCluster(points) => return Self::line_cluster(light, points, eye),
             Method::Point => return Self::line_cluster(light, 1, eye),
-            Method::Chebyshev => Responder::LINE_CHEBYSHEV,
-            Method::NearestPoint => Responder::LINE_NEAREST_POINT,
-            _ => Responder::LINE_EXACT,
+            Method::Chebyshev if plain => Responder::LINE_CHEBYSHEV,
+            Method::Chebyshev => Responder::LINE_CHEBYSHEV_DECAYING,
+            Method::NearestPoint if plain => Responder::LINE_NEAREST_POINT,
+            Method::NearestPoint => Responder::LINE_NEAREST_POINT_DECAYING,
+            _ if plain => Responder::LINE_EXACT,
+            _ => Responder::LINE_EXACT_DECAYING,
         };
         let (a, b) = (vec3_of(light.a - eye), vec3_of(light.b - eye));
-        Self::without_vertices(responder, &LineLight { a, falloff: f32_of(light.falloff), b, unused: 0 })
+        let diameter = f32_of(light.tube.map_or(0.0, |radius| 2.0 * radius));
+        Self::without_vertices(responder, &LineLight { a, falloff: f32_of(light.falloff), b, diameter })
     }
 
     fn line_cluster(light: &LineEmitter, points: u32, eye: DVec3) -> Self {
-        let part = light.length() / f64::from(points);
+        let part = light.length() / f64::from(points) * light.tube.map_or(1.0, |radius| 2.0 * radius);
         let points = cluster::line_points(light, points).map(|position| vec4_of(position - eye, part)).collect();
-        Self::cluster(points, ClusterLight { falloff: f32_of(light.falloff), ..Default::default() })
+        let emission = if light.tube.is_some() { TUBE } else { 0 };
+        let normal = vec3_of((light.b - light.a).normalize_or_zero());
+        Self::cluster(points, ClusterLight { normal, emission, falloff: f32_of(light.falloff), ..Default::default() })
     }
 
     fn sphere(light: &SphereEmitter, method: Method, eye: DVec3) -> Self {
@@ -224,21 +241,5 @@ impl LightData {
         let uniform = ClusterLight { count: u32_of(points.len()), ..uniform };
         let uniform = bytemuck::bytes_of(&uniform).to_vec();
         Self { responder: Responder::CLUSTER, uniform, vertices: points, table: Table::None }
-    }
-}
-
-/// A lobe as the shaders read it.
-pub(crate) fn lobe(lobe: &PhongLobe) -> Lobe {
-    let fit = lobe.chebyshev();
-    let mut powers = [[0.0; 4]; 4];
-    for (power, coefficient) in powers.iter_mut().flatten().zip(fit.coefficients()) {
-        *power = f32_of(*coefficient);
-    }
-    Lobe {
-        exponent: f32_of(lobe.exponent()),
-        chebyshev_cut: f32_of(fit.cut()),
-        chebyshev_tan_cut: f32_of(fit.cut().tan()),
-        chebyshev_count: u32_of(fit.coefficients().len()),
-        chebyshev: powers,
     }
 }

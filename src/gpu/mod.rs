@@ -11,6 +11,7 @@ mod context;
 mod gbuffer;
 mod layers;
 mod lights;
+mod lobes;
 mod pass;
 mod preview;
 mod read_back;

@@ -4,7 +4,8 @@ use super::Context;
 use super::composite::{CompositePass, Mix, Picture};
 use super::gbuffer::{GBufferPass, Seen};
 use super::layers::{LayerPass, Sample, Wanted};
-use super::lights::{self, LightData};
+use super::lights::LightData;
+use super::lobes;
 use super::read_back::{self, Pixels, ReadBackError};
 use super::types::{Lobe, vec4_of};
 use super::view::{Stats, View};
@@ -132,7 +133,7 @@ pub fn picture(context: &Context, scene: &Scene, view: &View) -> Result<Pixels, 
 /// The lobe of each material, and one for surfaces whose material is missing.
 fn lobes(scene: &Scene) -> Vec<Lobe> {
     let exponents = scene.materials.iter().map(|material| material.exponent).chain([1.0]);
-    exponents.map(|exponent| lights::lobe(&PhongLobe::new(exponent))).collect()
+    exponents.map(|exponent| lobes::lobe(&PhongLobe::new(exponent))).collect()
 }
 
 /// What the layers are to be, and how they are mixed.

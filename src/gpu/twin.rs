@@ -8,7 +8,7 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::context::Context;
-use super::lights;
+use super::lobes;
 use super::pass;
 use super::read_back::{self, ReadBackError};
 use super::shader::{Module, Source};
@@ -44,15 +44,16 @@ functions! {
     FALLOFF_IRRADIANCE = "falloff_response" in &[Module::POINT], "(v(0), f(3), f(4), v(5), v(8), f(11)).irradiance";
     /// Row: vector to the light, intensity, falloff, normal, mirror direction, exponent.
     FALLOFF_SPECULAR = "falloff_response" in &[Module::POINT], "(v(0), f(3), f(4), v(5), v(8), f(11)).specular";
-    /// Row: ends, normal, falloff.
-    LINE_IRRADIANCE = "line_irradiance" in &[Module::POINT, Module::LINE], "(v(0), v(3), v(6), f(9))";
-    /// Row: ends, normal, mirror direction, exponent, falloff.
-    LINE_PHONG = "line_phong" in &[Module::POINT, Module::LINE], "(v(0), v(3), v(6), v(9), f(12), f(13))";
-    /// Row: ends, normal, mirror direction, falloff; and the lobe.
-    LINE_CHEBYSHEV = "line_chebyshev" in &[Module::POINT, Module::LINE], "(v(0), v(3), v(6), v(9), f(12), lobe)";
-    /// Row: ends, normal, mirror direction, exponent, falloff.
+    /// Row: ends, normal, falloff, diameter.
+    LINE_IRRADIANCE = "line_irradiance" in &[Module::POINT, Module::LINE], "(v(0), v(3), v(6), f(9), f(10))";
+    /// Row: ends, normal, falloff, diameter, mirror direction; and the lobe.
+    LINE_PHONG = "line_phong" in &[Module::POINT, Module::LINE], "(v(0), v(3), v(6), v(11), f(9), f(10), lobe)";
+    /// Row: ends, normal, falloff, diameter, mirror direction; and the lobe.
+    LINE_CHEBYSHEV = "line_chebyshev" in &[Module::POINT, Module::LINE],
+        "(v(0), v(3), v(6), v(11), f(9), f(10), lobe)";
+    /// Row: ends, normal, falloff, diameter, mirror direction, exponent.
     LINE_NEAREST_POINT = "line_nearest_point" in &[Module::POINT, Module::LINE],
-        "(v(0), v(3), v(6), v(9), f(12), f(13))";
+        "(v(0), v(3), v(6), v(11), f(14), f(9), f(10))";
     /// Row: p, normal; and the corners.
     POLYGON_IRRADIANCE = "polygon_irradiance" in &[Module::POLYGON],
         "(Corners(row.first_vertex, row.vertex_count, v(0)), v(3))";
@@ -313,7 +314,7 @@ impl Table {
             });
             table.numbers.extend_from_slice(&row.numbers);
             table.vertices.extend_from_slice(&row.vertices);
-            table.lobes.push(lights::lobe(&row.lobe));
+            table.lobes.push(lobes::lobe(&row.lobe));
         }
         table
     }

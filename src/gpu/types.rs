@@ -57,8 +57,10 @@ gpu_structs! {
         exponent: f32,
         chebyshev_cut: f32,
         chebyshev_tan_cut: f32,
-        chebyshev_count: u32,
+        cosine_cells: f32,
         chebyshev: [[f32; 4]; 4],
+        chebyshev_mean: [[f32; 4]; 4],
+        cosine_integral: [[f32; 16]; 16],
     }
 
     /// A point light.
@@ -78,7 +80,7 @@ gpu_structs! {
         a: Vec3,
         falloff: f32,
         b: Vec3,
-        unused: u32,
+        diameter: f32,
     }
 
     /// A polygonal light.

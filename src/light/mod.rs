@@ -132,6 +132,21 @@ impl Light {
         }
     }
 
+    /// Makes a line isotropic or a tube of the same flux. Does nothing to other lights.
+    pub fn set_line_emission(&mut self, emission: LineEmission) {
+        let stated_as_flux = self.quantity.kind() == QuantityKind::Flux;
+        let flux = self.in_quantity(QuantityKind::Flux);
+        let Shape::Line(line) = &mut self.shape else { return };
+        line.emission = emission;
+        line.radius = (emission == LineEmission::Tube).then(|| line.radius.unwrap_or(Line::EVERYDAY_RADIUS));
+        if let Some(flux) = flux {
+            self.quantity = Quantity::new(QuantityKind::Flux, flux);
+        }
+        if !stated_as_flux {
+            self.restate(self.shape.strength_kind());
+        }
+    }
+
     /// The transform from the light's own frame to the world.
     pub fn world_from_light(&self) -> DAffine3 {
         frame::world_from_local(self.position, self.rotation_deg)
@@ -203,7 +218,10 @@ impl Shape {
             Self::Polygon(_) | Self::Sphere(_) | Self::Disk(_) | Self::Textured(_) | Self::Cap(_) | Self::Sky(_) => {
                 QuantityKind::Luminance
             }
-            Self::Line(_) => QuantityKind::IntensityPerMetre,
+            Self::Line(line) => match line.emission {
+                LineEmission::Isotropic => QuantityKind::IntensityPerMetre,
+                LineEmission::Tube => QuantityKind::Luminance,
+            },
             Self::Point(_) => QuantityKind::Intensity,
             Self::Directional(_) => QuantityKind::Illuminance,
         }
@@ -217,7 +235,10 @@ impl Shape {
             }
             Self::Cap(_) => &[QuantityKind::Luminance, QuantityKind::Illuminance],
             Self::Sky(_) => &[QuantityKind::Luminance],
-            Self::Line(_) => &[QuantityKind::IntensityPerMetre, QuantityKind::Flux],
+            Self::Line(line) => match line.emission {
+                LineEmission::Isotropic => &[QuantityKind::IntensityPerMetre, QuantityKind::Flux],
+                LineEmission::Tube => &[QuantityKind::Luminance, QuantityKind::Flux],
+            },
             Self::Point(_) => &[QuantityKind::Intensity, QuantityKind::Flux],
             Self::Directional(_) => &[QuantityKind::Illuminance],
         }
@@ -230,7 +251,10 @@ impl Shape {
         let value = match self {
             Self::Polygon(_) | Self::Sphere(_) | Self::Disk(_) | Self::Textured(_) | Self::Cap(_) => 1000.0,
             Self::Sky(_) => 200.0,
-            Self::Line(_) => 200.0,
+            Self::Line(line) => match line.emission {
+                LineEmission::Isotropic => 200.0,
+                LineEmission::Tube => 10_000.0,
+            },
             Self::Point(_) => 100.0,
             Self::Directional(_) => 500.0,
         };
@@ -244,7 +268,7 @@ impl Shape {
         }
         let (other_kind, per_strength) = match self {
             Self::Polygon(polygon) => (QuantityKind::Flux, polygon.flux_per_luminance()),
-            Self::Line(line) => (QuantityKind::Flux, line.flux_per_intensity_per_metre()),
+            Self::Line(line) => (QuantityKind::Flux, line.flux_per_strength()),
             Self::Sphere(sphere) => (QuantityKind::Flux, sphere.flux_per_luminance()),
             Self::Disk(disk) => (QuantityKind::Flux, disk.flux_per_luminance()),
             Self::Textured(textured) => (QuantityKind::Flux, textured.flux_per_luminance()),
@@ -258,7 +282,7 @@ impl Shape {
 
 #[cfg(test)]
 mod tests {
-    use std::f64::consts::PI;
+    use std::f64::consts::{PI, TAU};
 
     use std::sync::Arc;
 
@@ -286,8 +310,9 @@ mod tests {
         check(rectangle(false), QuantityKind::Flux, PI * 2.0);
         check(rectangle(true), QuantityKind::Flux, 2.0 * PI * 2.0);
         check(Shape::Sphere(Sphere { radius: 0.3 }), QuantityKind::Flux, 4.0 * PI * PI * 0.09);
-        let line = Line { length: 1.5, emission: LineEmission::Isotropic, falloff: 2.0 };
+        let line = Line::isotropic(1.5);
         check(Shape::Line(line), QuantityKind::Flux, 4.0 * PI * 1.5);
+        check(Shape::Line(Line::tube(1.5, 0.01)), QuantityKind::Flux, PI * TAU * 0.01 * 1.5);
         check(Shape::Point(Point {}), QuantityKind::Flux, 4.0 * PI);
         check(Shape::Disk(Disk { radius: 0.5, two_sided: false }), QuantityKind::Flux, PI * PI * 0.25);
         check(Shape::Cap(Cap { half_angle_deg: 30.0 }), QuantityKind::Illuminance, PI * 0.25);
@@ -327,10 +352,11 @@ mod tests {
 
     #[test]
     fn a_shape_has_the_quantities_that_it_names_and_no_others() {
-        let line = Line { length: 1.5, emission: LineEmission::Isotropic, falloff: 2.0 };
+        let line = Line::isotropic(1.5);
         let shapes = [
             rectangle(false),
             Shape::Line(line),
+            Shape::Line(Line::tube(1.5, 0.01)),
             Shape::Sphere(Sphere { radius: 0.3 }),
             Shape::Point(Point {}),
             Shape::Directional(Directional {}),
@@ -346,6 +372,18 @@ mod tests {
                 assert_eq!(light.in_quantity(kind).is_some(), has, "{kind:?} of a {}", light.shape.name());
             }
         }
+    }
+
+    #[test]
+    fn a_line_that_becomes_a_tube_keeps_its_flux() {
+        let mut light = Light::new("light", Shape::Line(Line::isotropic(1.5)));
+        let flux = light.in_quantity(QuantityKind::Flux).expect("a line has a flux");
+        light.set_line_emission(LineEmission::Tube);
+        assert_eq!(light.quantity.kind(), QuantityKind::Luminance, "stated as a tube is");
+        let now = light.in_quantity(QuantityKind::Flux).expect("a tube has a flux");
+        assert!((now / flux - 1.0).abs() < 1e-15, "{now} was {flux}");
+        light.set_line_emission(LineEmission::Isotropic);
+        assert_eq!(light.shape, Shape::Line(Line::isotropic(1.5)), "as it was");
     }
 
     #[test]

@@ -7,7 +7,7 @@ use glam::DVec3;
 
 use super::nearest::{quoted, suggestion};
 use super::{Camera, Display, Path, Plot, PlotKind, Problem, Scene, pattern};
-use crate::light::{Light, Line, Polygon, Shape, Sky, Sphere, Tint, luminance_of};
+use crate::light::{Light, Line, LineEmission, Polygon, Shape, Sky, Sphere, Tint, luminance_of};
 use crate::surface::{self, Material, ReflectionModel, Surface};
 
 /// Lengths and coordinates reach this far, metres: squares of them stay within what the GPU's `f32` can hold.
@@ -177,8 +177,22 @@ impl Checker<'_> {
         let path = path.key("shape").key(shape.name());
         match shape {
             Shape::Polygon(polygon) => self.polygon(&path.key("vertices"), polygon),
-            Shape::Line(Line { length, emission: _, falloff }) => {
+            Shape::Line(Line { length, emission, radius, falloff }) => {
                 self.number(&path.key("length"), *length, &LENGTH);
+                match (emission, radius) {
+                    (LineEmission::Isotropic, None) => {}
+                    (LineEmission::Isotropic, Some(_)) => {
+                        let message = "does not fit an `isotropic` line; write emission = \"tube\", or leave it out";
+                        self.report(&path.key("radius"), message);
+                    }
+                    (LineEmission::Tube, None) => {
+                        self.report(
+                            &path.key("emission"),
+                            "is `tube`, which has a radius; write radius = 0.01 beside it",
+                        );
+                    }
+                    (LineEmission::Tube, Some(radius)) => self.number(&path.key("radius"), *radius, &LENGTH),
+                }
                 self.number(&path.key("falloff"), *falloff, &FALLOFF);
             }
             Shape::Sphere(Sphere { radius }) => self.number(&path.key("radius"), *radius, &LENGTH),

@@ -15,7 +15,8 @@ pub fn line_cluster(light: &LineEmitter, points: u32, at: &ShadingPoint, lobe: &
     let part = light.length() / f64::from(points);
     let mut sum = Response::default();
     for position in line_points(light, points) {
-        sum += falloff_response(position - at.p, part, light.falloff, n, r, lobe);
+        let to_light = position - at.p;
+        sum += falloff_response(to_light, part * light.intensity_along(to_light), light.falloff, n, r, lobe);
     }
     sum
 }

@@ -68,7 +68,7 @@ impl Lobe {
     }
 
     fn of_model(model: Model, exponent: f64) -> Self {
-        let chebyshev = ChebyshevLobe::new(exponent.max(1.0), ChebyshevLobe::DEGREE, ChebyshevLobe::EPSILON);
+        let chebyshev = ChebyshevLobe::new(exponent.max(1.0), 6, 256);
         Self { model, exponent, chebyshev }
     }
 

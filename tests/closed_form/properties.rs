@@ -3,7 +3,7 @@
 use std::f64::consts::{PI, TAU};
 
 use glam::{DMat3, DVec2, DVec3};
-use softbox::light::{Emitter, Line, LineEmission, LineEmitter, Polygon, Shape, Sphere, SphereEmitter};
+use softbox::light::{Emitter, Line, LineEmitter, Polygon, Shape, Sphere, SphereEmitter};
 use softbox::math::special::refined_panels;
 use softbox::shading::cluster::polygon_points;
 use softbox::shading::line::{line_irradiance, line_phong};
@@ -26,7 +26,8 @@ impl Scene {
         let emitter = if random.within(0.0, 1.0) < 0.5 {
             let half = 0.5 * random.direction() * random.magnitude(1e-2, 20.0);
             let falloff = (random.within(0.0, 8.0).floor() / 2.0).min(3.0);
-            Emitter::Line(LineEmitter { a: place - half, b: place + half, falloff })
+            let tube = (random.within(0.0, 1.0) < 0.4).then(|| random.magnitude(1e-3, 1e-1));
+            Emitter::Line(LineEmitter { a: place - half, b: place + half, falloff, tube })
         } else {
             Emitter::Sphere(SphereEmitter { center: place, radius: random.magnitude(1e-2, 10.0) })
         };
@@ -40,7 +41,7 @@ impl Scene {
 
     fn methods(&self) -> impl Iterator<Item = Method> {
         let shape = match &self.emitter {
-            Emitter::Line(_) => Shape::Line(Line { length: 1.0, emission: LineEmission::Isotropic, falloff: 2.0 }),
+            Emitter::Line(_) => Shape::Line(Line::isotropic(1.0)),
             _ => Shape::Sphere(Sphere { radius: 1.0 }),
         };
         Method::of(&shape).iter().copied().filter(|method| *method != Method::Reference)
@@ -54,10 +55,11 @@ impl Scene {
     fn bounds(&self) -> [f64; 2] {
         let m = self.lobe.exponent();
         match self.emitter {
-            Emitter::Line(LineEmitter { a, b, falloff }) => {
+            Emitter::Line(LineEmitter { a, b, falloff, tube }) => {
                 let (a, along) = (a - self.at.p, b - a);
                 let t = (-a.dot(along) / along.length_squared()).clamp(0.0, 1.0);
-                let most = along.length() / (a + t * along).length().powf(falloff);
+                let most =
+                    tube.map_or(1.0, |radius| 2.0 * radius) * along.length() / (a + t * along).length().powf(falloff);
                 [most, (m + 1.0) / TAU * most]
             }
             Emitter::Sphere(SphereEmitter { center, radius }) => {
@@ -101,8 +103,8 @@ fn turning_everything_changes_nothing() {
         let ShadingPoint { p, n, v } = scene.at;
         let turned = Scene {
             emitter: match scene.emitter {
-                Emitter::Line(LineEmitter { a, b, falloff }) => {
-                    Emitter::Line(LineEmitter { a: turn * a, b: turn * b, falloff })
+                Emitter::Line(LineEmitter { a, b, falloff, tube }) => {
+                    Emitter::Line(LineEmitter { a: turn * a, b: turn * b, falloff, tube })
                 }
                 Emitter::Sphere(SphereEmitter { center, radius }) => {
                     Emitter::Sphere(SphereEmitter { center: turn * center, radius })
@@ -128,9 +130,10 @@ fn scaling_everything_follows_the_falloff() {
         let scene = Scene::random(&mut random);
         let scale = random.magnitude(0.01, 100.0);
         let (emitter, factor) = match scene.emitter {
-            Emitter::Line(LineEmitter { a, b, falloff }) => {
-                let line = LineEmitter { a: scale * a, b: scale * b, falloff };
-                (Emitter::Line(line), scale.powf(falloff - 1.0))
+            Emitter::Line(LineEmitter { a, b, falloff, tube }) => {
+                let line = LineEmitter { a: scale * a, b: scale * b, falloff, tube: tube.map(|radius| scale * radius) };
+                let per_metre = if tube.is_some() { falloff - 2.0 } else { falloff - 1.0 };
+                (Emitter::Line(line), scale.powf(per_metre))
             }
             Emitter::Sphere(SphereEmitter { center, radius }) => {
                 (Emitter::Sphere(SphereEmitter { center: scale * center, radius: scale * radius }), 1.0)
@@ -162,7 +165,10 @@ fn far_lights_are_point_lights() {
         let exact = scene.respond(Method::Exact);
         // The light is 2e-4 of its distance wide at most, and its lobe changes m times as fast as that.
         let scale = match &scene.emitter {
-            Emitter::Line(light) => light.length() / light.middle().length().powf(light.falloff),
+            Emitter::Line(light) => {
+                light.tube.map_or(1.0, |radius| 2.0 * radius) * light.length()
+                    / light.middle().length().powf(light.falloff)
+            }
             Emitter::Sphere(light) => PI * (light.radius / light.center.length()).powi(2),
             _ => 0.0,
         };
@@ -205,7 +211,9 @@ fn degenerate_places_give_finite_numbers() {
     let spheres = [1e-300, 1e-9, 1.0, 1e9];
     let mut emitters = Vec::new();
     for falloff in [0.0, 0.5, 1.0, 2.0, 2.5, 3.0] {
-        emitters.extend(lines.map(|(a, b)| Emitter::Line(LineEmitter { a, b, falloff })));
+        for tube in [None, Some(1e-3)] {
+            emitters.extend(lines.map(|(a, b)| Emitter::Line(LineEmitter { a, b, falloff, tube })));
+        }
     }
     emitters.extend(spheres.map(|radius| Emitter::Sphere(SphereEmitter { center: a, radius })));
     let offsets = [0.0, 1e-300, 1e-60, 1e-30, 1e-12, 1e-6, 1.0];
@@ -234,12 +242,15 @@ fn real_falloffs_match_quadrature_along_the_line() {
     for _ in 0..300 {
         let (a, b) = (random.point(2.0), random.point(2.0));
         let (n, r, m) = (random.direction(), random.direction(), random.magnitude(1.0, 300.0));
-        let light = LineEmitter { a, b, falloff: random.within(0.0, 3.0) };
+        let tube = (random.within(0.0, 1.0) < 0.5).then_some(0.5);
+        let light = LineEmitter { a, b, falloff: random.within(0.0, 3.0), tube };
         let length = light.length();
+        let axis = (b - a) / length;
         let integrate = |f: &dyn Fn(DVec3) -> f64| {
             let g = |t: f64| {
                 let x = a.lerp(b, t);
-                f(x.normalize()) / x.length().powf(light.falloff)
+                let emitted = if tube.is_some() { axis.cross(x.normalize()).length() } else { 1.0 };
+                emitted * f(x.normalize()) / x.length().powf(light.falloff)
             };
             length * refined_panels(0.0, 1.0, 0.01, 1e-13, g)
         };

@@ -62,7 +62,7 @@ fn cap(case: &Case, kernel: &Kernel) -> (Estimate, f64) {
 }
 
 fn line(case: &Case, kernel: &Kernel, falloff: f64) -> (Estimate, f64) {
-    let light = LineEmitter { a: case.vector("A"), b: case.vector("B"), falloff };
+    let light = LineEmitter { a: case.vector("A"), b: case.vector("B"), falloff, tube: None };
     let p = case.vector("p");
     let along = (light.b - light.a).normalize();
     let s = (p - light.a).dot(along).clamp(0.0, light.length());

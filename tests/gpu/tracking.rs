@@ -2,7 +2,7 @@
 
 use glam::{DVec2, DVec3};
 use softbox::gpu::{Pixels, Preview, Stats, View};
-use softbox::light::{Light, Line, LineEmission, Point, Polygon, Quantity, QuantityKind, Shape, Tint};
+use softbox::light::{Light, Line, Point, Polygon, Quantity, QuantityKind, Shape, Tint};
 use softbox::scene::{Camera, Scene};
 use softbox::shading::Method;
 use softbox::surface::{self, Material, ReflectionModel, Surface};
@@ -82,7 +82,7 @@ fn scene() -> Scene {
         shape,
     };
     let square = [(-0.5, -0.5), (0.5, -0.5), (0.5, 0.5), (-0.5, 0.5)].map(DVec2::from).to_vec();
-    let line = Line { length: 1.0, emission: LineEmission::Isotropic, falloff: 2.0 };
+    let line = Line::isotropic(1.0);
     Scene {
         camera: Camera::default(),
         materials: vec![material],

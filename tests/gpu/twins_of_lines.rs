@@ -1,7 +1,7 @@
 //! The WGSL of linear lights against `shading::line`.
 
 use glam::DVec3;
-use softbox::gpu::twin::cases::{Case, line_irradiance_case, line_phong_case, line_scale};
+use softbox::gpu::twin::cases::{Case, line_irradiance_case, line_phong_case, line_row, line_scale};
 use softbox::gpu::twin::{self, Row, rounded, rounded_number};
 use softbox::light::LineEmitter;
 use softbox::shading::line::respond;
@@ -21,7 +21,7 @@ struct Inputs {
 impl Inputs {
     fn of_reference(case: &cases::Case, falloff: f64, r: &str, m: f64) -> Self {
         let [a, b] = ["A", "B"].map(|end| rounded(case.vector(end) - case.vector("p")));
-        let light = LineEmitter { a, b, falloff: rounded_number(falloff) };
+        let light = LineEmitter { a, b, falloff: rounded_number(falloff), tube: None };
         Self { light, n: rounded(case.direction("N")), r: rounded(case.direction(r)), m: rounded_number(m) }
     }
 
@@ -30,20 +30,13 @@ impl Inputs {
         let a = random.point(2.0) * random.magnitude(1e-2, 10.0);
         let b = a + random.direction() * random.magnitude(1e-3, 10.0);
         let falloff = falloffs[usize::try_from(random.bits() % falloffs.len() as u64).expect("a short list")];
-        let light = LineEmitter { a: rounded(a), b: rounded(b), falloff };
+        let tube = (random.bits().is_multiple_of(3)).then(|| random.magnitude(1e-3, 1e-1));
+        let light = LineEmitter { a: rounded(a), b: rounded(b), falloff, tube };
         Self { light, n: random.direction(), r: random.direction(), m: random.exponent() }
     }
 
-    /// Not seen end on, where rounding decides which end is nearer to r and in which plane the lobe is fitted; nor
-    /// longer than 1000 times its distance, which f32 knows to 1e-4 only.
-    fn is_plain(&self) -> bool {
-        let LineEmitter { a, b, .. } = self.light;
-        let distance = a.cross(b).length() / a.distance(b);
-        distance > 1e-5 * a.length().min(b.length()) && distance > 1e-3 * a.distance(b)
-    }
-
     fn row(&self) -> Row {
-        Row::default().vector(self.light.a).vector(self.light.b).vector(self.n)
+        line_row(&self.light, self.n)
     }
 
     fn irradiance(&self) -> Case {
@@ -65,17 +58,13 @@ impl Inputs {
     fn chebyshev(&self) -> Case {
         let lobe = PhongLobe::new(self.m);
         let expected = self.specular(Method::Chebyshev, &lobe) / lobe.normalisation();
-        Case {
-            row: self.row().vector(self.r).number(self.light.falloff).lobe(lobe),
-            expected,
-            scale: line_scale(&self.light),
-        }
+        Case { row: self.row().vector(self.r).lobe(lobe), expected, scale: line_scale(&self.light) }
     }
 
     fn nearest_point(&self) -> Case {
         let lobe = PhongLobe::new(self.m);
         Case {
-            row: self.row().vector(self.r).number(self.m).number(self.light.falloff),
+            row: self.row().vector(self.r).number(self.m),
             expected: self.specular(Method::NearestPoint, &lobe),
             scale: line_scale(&self.light) * lobe.normalisation(),
         }
@@ -98,23 +87,23 @@ fn irradiance_of_a_line_matches() {
     let reference = reference.iter().map(|case| Inputs::of_reference(case, case.number("decay"), "N", 1.0));
     let inputs = reference.chain((0..4000).map(|_| Inputs::random(&mut random, FALLOFFS)));
     let cases: Vec<_> = inputs.map(|inputs| inputs.irradiance()).collect();
-    check(&twin::LINE_IRRADIANCE, ("/ ends.r_a +", "/ ends.r_b +"), &cases);
+    check(&twin::LINE_IRRADIANCE, ("0.0) * r_b", "0.0) * r_a"), &cases);
 }
 
 #[test]
 fn phong_integral_of_a_line_matches() {
     let cases: Vec<_> = phong_inputs(12).iter().map(Inputs::phong).collect();
-    check(&twin::LINE_PHONG, ("sqrt(32.0 / m)", "sqrt(8.0 / m)"), &cases);
+    check(&twin::LINE_PHONG, ("c.z + x * c.w", "c.z + 1.3 * x * c.w"), &cases);
 }
 
 #[test]
 fn chebyshev_fit_along_a_line_matches() {
-    let cases: Vec<_> = phong_inputs(13).iter().filter(|inputs| inputs.is_plain()).map(Inputs::chebyshev).collect();
-    check(&twin::LINE_CHEBYSHEV, ("0.65214515486254614263", "0.6531"), &cases);
+    let cases: Vec<_> = phong_inputs(13).iter().map(Inputs::chebyshev).collect();
+    check(&twin::LINE_CHEBYSHEV, ("2.0 * min(abs(t), 1.0)", "2.001 * min(abs(t), 1.0)"), &cases);
 }
 
 #[test]
 fn nearest_point_of_a_line_matches() {
-    let cases: Vec<_> = phong_inputs(14).iter().filter(|inputs| inputs.is_plain()).map(Inputs::nearest_point).collect();
-    check(&twin::LINE_NEAREST_POINT, ("if base > 0.0", "if base < 0.0"), &cases);
+    let cases: Vec<_> = phong_inputs(14).iter().map(Inputs::nearest_point).collect();
+    check(&twin::LINE_NEAREST_POINT, ("base > 0.0 && line.a", "base < 0.0 && line.a"), &cases);
 }

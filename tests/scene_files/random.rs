@@ -33,10 +33,9 @@ fn light_shape() -> impl Strategy<Value = light::Shape> {
         let vertices = radii.iter().enumerate().map(|(i, r)| *r * DVec2::from_angle(turn * i as f64)).collect();
         light::Shape::Polygon(light::Polygon { vertices, two_sided })
     });
-    let line = (positive(), 0.0..=3.0).prop_map(|(length, falloff)| light::Line {
-        length,
-        emission: light::LineEmission::Isotropic,
-        falloff,
+    let line = (positive(), 0.0..=3.0, proptest::option::of(positive())).prop_map(|(length, falloff, radius)| {
+        let line = radius.map_or_else(|| light::Line::isotropic(length), |radius| light::Line::tube(length, radius));
+        light::Line { falloff, ..line }
     });
     prop_oneof![
         polygon,

@@ -188,13 +188,27 @@ fn unknown_names_are_refused_and_the_known_ones_told() {
     );
     check(
         SHAPE,
-        "line = { length = 1.0, emission = \"tube\" }",
-        "window.toml:27:45: light[0].shape.line.emission: `tube` is not known; only `isotropic` is",
+        "line = { length = 1.0, emission = \"spot\" }",
+        "window.toml:27:45: light[0].shape.line.emission: `spot` is not known; known are `isotropic`, `tube`",
     );
     check(
         "position = [0.0, 0.0, 2.0]",
         "scale = [2.0, 1.0, 1.0]",
         "window.toml:25:1: light[0].scale: is not known here; known are `color`, `flux`, `illuminance`, `intensity`, `intensity_per_metre`, `luminance`, `muted`, `name`, `position`, `rotation_deg`, `shape`, `temperature_k`",
+    );
+}
+
+#[test]
+fn tubes_have_a_radius_and_isotropic_lines_have_none() {
+    check(
+        &format!("luminance = 1000.0\nshape = {{ {SHAPE} }}"),
+        "luminance = 1000.0\nshape = { line = { length = 1.0, emission = \"tube\" } }",
+        "window.toml:27:45: light[0].shape.line.emission: is `tube`, which has a radius; write radius = 0.01 beside it",
+    );
+    check(
+        &format!("luminance = 1000.0\nshape = {{ {SHAPE} }}"),
+        "intensity_per_metre = 10.0\nshape = { line = { length = 1.0, radius = 0.01 } }",
+        "window.toml:27:41: light[0].shape.line.radius: does not fit an `isotropic` line; write emission = \"tube\", or leave it out",
     );
 }
 

@@ -155,7 +155,7 @@ impl Inputs {
     }
 
     fn line(&self, falloff: f64) -> anyhow::Result<LineEmitter> {
-        Ok(LineEmitter { a: Self::vector(self.A, "A")?, b: Self::vector(self.B, "B")?, falloff })
+        Ok(LineEmitter { a: Self::vector(self.A, "A")?, b: Self::vector(self.B, "B")?, falloff, tube: None })
     }
 
     fn sphere(&self) -> anyhow::Result<SphereEmitter> {

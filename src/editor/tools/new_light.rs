@@ -2,7 +2,7 @@
 
 use glam::{DAffine3, DVec2, DVec3};
 
-use crate::light::{Light, Line, LineEmission, Polygon, Quantity, QuantityKind, Shape, Sphere, Tint};
+use crate::light::{Light, Line, Polygon, Quantity, QuantityKind, Shape, Sphere, Tint};
 
 /// Luminance of a new polygon or sphere, cd/m²: ten times the white of a picture at exposure 0.
 const LUMINANCE: f64 = 1000.0;
@@ -22,7 +22,7 @@ pub fn polygon(vertices: &[DVec2], height: f64) -> Light {
 /// A line between two points at `height`; `None` when they coincide.
 pub fn line(ends: [DVec2; 2], height: f64) -> Option<Light> {
     let (middle, rotation_deg, length) = line_placement(ends[0].extend(height), ends[1].extend(height))?;
-    let shape = Shape::Line(Line { length, emission: LineEmission::Isotropic, falloff: 2.0 });
+    let shape = Shape::Line(Line::isotropic(length));
     let quantity = Quantity::new(QuantityKind::IntensityPerMetre, INTENSITY_PER_METRE);
     Some(light(middle, rotation_deg, quantity, shape))
 }

@@ -1,9 +1,9 @@
 // Point lights that stand for one light: `point` is one of them, `point-cluster` many.
 
 struct ClusterLight {
-    // Of the emitting surface; only where emission has a cosine.
+    // Of the emitting surface, where emission has a cosine; the axis of a tube.
     normal: vec3f,
-    // ISOTROPIC, ONE_SIDED or TWO_SIDED.
+    // ISOTROPIC, ONE_SIDED, TWO_SIDED or TUBE.
     emission: u32,
     // Exponent of the distance.
     falloff: f32,
@@ -14,6 +14,7 @@ struct ClusterLight {
 const ISOTROPIC = 0u;
 const ONE_SIDED = 1u;
 const TWO_SIDED = 2u;
+const TUBE = 3u;
 
 @group(1) @binding(0) var<uniform> cluster_light: ClusterLight;
 
@@ -34,6 +35,10 @@ fn emission_cosine(to_light: vec3f) -> f32 {
     if cluster_light.emission == ISOTROPIC {
         return 1.0;
     }
-    let cosine = -dot(cluster_light.normal, normalize(to_light + vec3f(0.0, 0.0, 1e-37)));
+    let w = normalize(to_light + vec3f(0.0, 0.0, 1e-37));
+    if cluster_light.emission == TUBE {
+        return length(cross(cluster_light.normal, w));
+    }
+    let cosine = -dot(cluster_light.normal, w);
     return select(max(cosine, 0.0), abs(cosine), cluster_light.emission == TWO_SIDED);
 }

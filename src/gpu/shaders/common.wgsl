@@ -20,15 +20,19 @@ struct Response {
     specular: f32,
 }
 
-// A material's Phong lobe: exponent m, and what `shading::PhongLobe` knows of it.
+// A material's Phong lobe: exponent m, and what `shading::Lobe` and `gpu::lobes` know of it.
 struct Lobe {
     exponent: f32,
     // The angle beyond which the Chebyshev fit is 0, and its tangent.
     chebyshev_cut: f32,
     chebyshev_tan_cut: f32,
-    // Coefficients of the powers of φ/cut, the constant first: how many, and they.
-    chebyshev_count: u32,
+    // Cells of the table of ∫cosᵐφ dφ a unit of its u.
+    cosine_cells: f32,
+    // Coefficients of the powers of 2φ/cut − 1, the constant first: of the fit, and of its mean from 0.
     chebyshev: array<vec4f, 4>,
+    chebyshev_mean: array<vec4f, 4>,
+    // Cubics in the part of a cell.
+    cosine_integral: array<vec4f, 64>,
 }
 
 @group(0) @binding(2) var<storage, read> lobes: array<Lobe>;

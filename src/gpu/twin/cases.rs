@@ -7,6 +7,7 @@ use glam::DVec3;
 use super::{Row, rounded, rounded_number};
 use crate::light::{LineEmitter, SphereEmitter};
 use crate::math::spherical::triangle_solid_angle;
+use crate::shading::PhongLobe;
 use crate::shading::line::{line_irradiance, line_phong};
 use crate::shading::polygon::{polygon_irradiance, polygon_phong};
 use crate::shading::sphere::{Cap, sphere_irradiance, sphere_phong};
@@ -25,14 +26,14 @@ pub struct Case {
 /// A row of [`super::LINE_IRRADIANCE`].
 pub fn line_irradiance_case(light: &LineEmitter, p: DVec3, n: DVec3) -> Case {
     let (light, n) = (line_about(light, p), rounded(n));
-    let row = Row::default().vector(light.a).vector(light.b).vector(n).number(light.falloff);
+    let row = line_row(&light, n);
     Case { row, expected: line_irradiance(&light, DVec3::ZERO, n), scale: line_scale(&light) }
 }
 
 /// A row of [`super::LINE_PHONG`].
 pub fn line_phong_case(light: &LineEmitter, p: DVec3, n: DVec3, r: DVec3, m: f64) -> Case {
     let (light, n, r, m) = (line_about(light, p), rounded(n), rounded(r), rounded_number(m));
-    let row = Row::default().vector(light.a).vector(light.b).vector(n).vector(r).number(m).number(light.falloff);
+    let row = line_row(&light, n).vector(r).lobe(PhongLobe::new(m));
     Case { row, expected: line_phong(&light, DVec3::ZERO, n, r, m), scale: line_scale(&light) }
 }
 
@@ -78,8 +79,19 @@ pub fn is_grazing(vertices: &[DVec3], p: DVec3) -> bool {
     doubled.normalize_or_zero().dot(corner - p).abs() <= 5e-5 * reach
 }
 
+/// What the rows of all functions of lines begin with.
+pub fn line_row(light: &LineEmitter, n: DVec3) -> Row {
+    let diameter = light.tube.map_or(0.0, |radius| 2.0 * radius);
+    Row::default().vector(light.a).vector(light.b).vector(n).number(light.falloff).number(diameter)
+}
+
 fn line_about(light: &LineEmitter, p: DVec3) -> LineEmitter {
-    LineEmitter { a: rounded(light.a - p), b: rounded(light.b - p), falloff: rounded_number(light.falloff) }
+    LineEmitter {
+        a: rounded(light.a - p),
+        b: rounded(light.b - p),
+        falloff: rounded_number(light.falloff),
+        tube: light.tube.map(rounded_number),
+    }
 }
 
 fn vertices_about(vertices: &[DVec3], p: DVec3) -> Vec<DVec3> {
@@ -90,11 +102,12 @@ fn sphere_about(light: &SphereEmitter, p: DVec3) -> SphereEmitter {
     SphereEmitter { center: rounded(light.center - p), radius: rounded_number(light.radius) }
 }
 
-/// |B−A|/dᶠ, d the least distance from the origin.
+/// |B−A|/dᶠ, d the least distance from the origin; that times 2ϱ of a tube.
 pub fn line_scale(light: &LineEmitter) -> f64 {
     let along = light.b - light.a;
     let t = (-light.a.dot(along) / along.length_squared()).clamp(0.0, 1.0);
-    along.length() / (light.a + t * along).length().powf(light.falloff)
+    let emission = light.tube.map_or(1.0, |radius| 2.0 * radius);
+    emission * along.length() / (light.a + t * along).length().powf(light.falloff)
 }
 
 /// (m+1)/(2π)·Ω, at most 1.

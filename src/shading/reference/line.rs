@@ -10,7 +10,7 @@ use crate::shading::point::CONTACT;
 /// The error sought, and a budget that reaches points within 1e-30 of the line's length.
 const ALONG: Tolerance = Tolerance { relative: 1e-9, absolute: 1e-300, panels: 400 };
 
-/// ∫ weight(ω)/rᶠ ds along a line of intensity per metre 1 seen from p; 0 for p on the line.
+/// ∫ I′(ω) weight(ω)/rᶠ ds along a line seen from p, I′ its intensity per metre; 0 for p on the line.
 pub fn line_reference(light: &LineEmitter, p: DVec3, kernel: &Kernel) -> Estimate {
     let (start, end) = (light.a - p, light.b - p);
     let Some(axis) = (end - start).try_normalize() else { return Estimate::default() };
@@ -33,11 +33,12 @@ pub fn line_reference(light: &LineEmitter, p: DVec3, kernel: &Kernel) -> Estimat
     let estimate = adaptive(visible.map(|ends| (ends[0], ends[1])), ALONG, |s| {
         let x = place(s);
         let length = x.length();
-        kernel.weight(x / length) * length.powf(-light.falloff)
+        kernel.weight(x / length) * (light.intensity_along(x) * length.powf(-light.falloff))
     });
     // The foot is known to the rounding of the ends; near the line that is what limits.
     let reach = start.length().max(end.length());
     let nearest = if a < 0.0 && b > 0.0 { distance } else { start.length().min(end.length()) };
-    let conditioning = reach / nearest + reach / (b - a);
+    let of_sine = light.tube.map_or(0.0, |_| reach / distance.max(CONTACT));
+    let conditioning = reach / nearest + reach / (b - a) + of_sine;
     Estimate { error: estimate.error + 16.0 * f64::EPSILON * conditioning * estimate.value, ..estimate }
 }

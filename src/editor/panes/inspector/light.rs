@@ -3,7 +3,7 @@
 use egui::{Ui, vec2};
 
 use super::fields::{Fields, Number, drag, row_label};
-use crate::light::{Light, Polygon, Quantity, QuantityKind, Shape, Sky, Tint};
+use crate::light::{Light, LineEmission, Polygon, Quantity, QuantityKind, Shape, Sky, Tint};
 use crate::scene::Scene;
 
 /// The temperature that a light gets when its tint becomes one, kelvin.
@@ -27,6 +27,11 @@ pub(super) fn show(ui: &mut Ui, fields: &mut Fields<'_>, index: usize) {
         Shape::Polygon(polygon) => polygon_rows(ui, fields, index, polygon),
         Shape::Line(line) => {
             fields.number(ui, "Length", &Number::LENGTH, line.length, at(index, set_length));
+            let ways = [LineEmission::Isotropic, LineEmission::Tube].map(|way| (way, way.name().to_owned()));
+            fields.choice(ui, "Emits as", &line.emission, &ways, at(index, Light::set_line_emission));
+            if let Some(radius) = line.tube_radius() {
+                fields.number(ui, "Radius", &Number::LENGTH, radius, at(index, set_radius));
+            }
             let falloff = Number { range: 0.0..=3.0, hint: "Light falls with 1/rⁿ; 2 is physical", ..Number::FACTOR };
             fields.number(ui, "Falloff n", &falloff, line.falloff, at(index, set_falloff));
         }
@@ -234,6 +239,7 @@ fn set_radius(light: &mut Light, radius: f64) {
     match &mut light.shape {
         Shape::Sphere(sphere) => sphere.radius = radius,
         Shape::Disk(disk) => disk.radius = radius,
+        Shape::Line(line) if line.emission == LineEmission::Tube => line.radius = Some(radius),
         _ => {}
     }
 }
