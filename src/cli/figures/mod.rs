@@ -10,7 +10,7 @@ use anyhow::{Context, bail};
 
 use super::size::Size;
 use super::{Outcome, files, progress};
-use crate::analysis::chart::Table;
+use crate::analysis::chart::{Chart, Table};
 use crate::export;
 use crate::render::{Progress, Settings, render};
 use crate::scene::Scene;
@@ -46,8 +46,8 @@ pub(super) struct Args {
     list: bool,
 }
 
-/// A figure with its scene, if it is a picture.
-type Loaded = (&'static Figure, Option<Scene>);
+/// A figure with the scenes that it shows.
+type Loaded = (&'static Figure, Vec<Scene>);
 
 /// Write each figure as soon as it is made; those written stay when Ctrl-C ends the work.
 pub(super) fn run(args: &Args) -> anyhow::Result<Outcome> {
@@ -59,19 +59,20 @@ pub(super) fn run(args: &Args) -> anyhow::Result<Outcome> {
         return Ok(Outcome::Done);
     }
     let load = |figure: &'static Figure| -> anyhow::Result<Loaded> {
-        let Content::Picture { scene, .. } = figure.content else { return Ok((figure, None)) };
-        Ok((figure, Some(files::load(&args.scenes.join(scene))?)))
+        let scenes = figure.content.scenes().iter().map(|scene| files::load(&args.scenes.join(scene)));
+        Ok((figure, scenes.collect::<anyhow::Result<_>>()?))
     };
     let figures: Vec<Loaded> = figures.into_iter().map(load).collect::<anyhow::Result<_>>()?;
     fs::create_dir_all(&args.output).with_context(|| format!("{}: cannot be made", args.output.display()))?;
     files::check_writable(&args.output.join("figure"))?;
     let progress = progress::until_interrupted()?;
     let pixels: u64 = args.size.0.map(u64::from).iter().product();
-    let steps = figures.iter().map(|(_, scene)| if scene.is_some() { pixels } else { STEPS }).sum();
+    let steps = |content: &Content| if matches!(content, Content::Picture { .. }) { pixels } else { STEPS };
+    let steps = figures.iter().map(|(figure, _)| steps(&figure.content)).sum();
     let written = progress::with_bar(steps, &progress, || -> anyhow::Result<Option<Vec<String>>> {
         let mut lines = Vec::new();
-        for (figure, scene) in &figures {
-            let Some(outputs) = make(figure, scene.as_ref(), args.size, &progress)? else { return Ok(None) };
+        for (figure, scenes) in &figures {
+            let Some(outputs) = make(figure, scenes, args.size, &progress)? else { return Ok(None) };
             for (extension, bytes) in outputs {
                 let file = format!("{}.{extension}", figure.name);
                 files::write(&args.output.join(&file), &bytes)?;
@@ -107,35 +108,37 @@ fn chosen(names: &[String]) -> anyhow::Result<Vec<&'static Figure>> {
 /// The files of a figure, by extension; none when cancelled.
 type Outputs = Vec<(&'static str, Vec<u8>)>;
 
-fn make(
-    figure: &Figure,
-    scene: Option<&Scene>,
-    Size(size): Size,
-    progress: &Progress,
-) -> anyhow::Result<Option<Outputs>> {
+fn make(figure: &Figure, scenes: &[Scene], Size(size): Size, progress: &Progress) -> anyhow::Result<Option<Outputs>> {
     if progress.is_cancelled() {
         return Ok(None);
     }
-    Ok(match (&figure.content, scene) {
-        (Content::Picture { choice, .. }, Some(scene)) => {
-            let settings = Settings { size, choice: *choice, samples: SAMPLES };
-            let Some(film) = render(scene, &settings, progress) else { return Ok(None) };
-            Some(vec![("png", export::png::rgb(film.size(), film.srgb())?)])
+    let outputs = match figure.content {
+        Content::Picture { choice, .. } => {
+            let settings = Settings { size, choice, samples: SAMPLES };
+            let film = scenes.first().and_then(|scene| render(scene, &settings, progress));
+            let png = film.map(|film| export::png::rgb(film.size(), film.srgb())).transpose()?;
+            return Ok(png.map(|png| vec![("png", png)]));
         }
-        (Content::Picture { .. }, None) => None,
-        (Content::Chart(chart), _) => {
-            let Some(chart) = chart(progress) else { return Ok(None) };
-            progress.advance(STEPS);
-            let svg = export::svg::chart(&chart);
-            let png = export::png::from_svg(&svg, PNG_SCALE)?;
-            Some(vec![("svg", svg.into_bytes()), ("png", png)])
+        Content::Chart(chart) => chart(progress).map(drawn).transpose()?,
+        Content::Table(table) => table(progress).map(|table| written(&table)).transpose()?,
+        Content::Lights { scenes: names, table } => {
+            let names = names.iter().map(|name| name.trim_end_matches(".toml"));
+            let scenes: Vec<_> = names.zip(scenes).collect();
+            table(&scenes, progress).map(|table| written(&table)).transpose()?
         }
-        (Content::Table(table), _) => {
-            let Some(table) = table(progress) else { return Ok(None) };
-            progress.advance(STEPS);
-            Some(vec![("csv", csv(&table)?)])
-        }
-    })
+    };
+    progress.advance(STEPS);
+    Ok(outputs)
+}
+
+fn drawn(chart: Chart) -> anyhow::Result<Outputs> {
+    let svg = export::svg::chart(&chart);
+    let png = export::png::from_svg(&svg, PNG_SCALE)?;
+    Ok(vec![("svg", svg.into_bytes()), ("png", png)])
+}
+
+fn written(table: &Table) -> anyhow::Result<Outputs> {
+    Ok(vec![("csv", csv(table)?)])
 }
 
 fn csv(table: &Table) -> anyhow::Result<Vec<u8>> {
