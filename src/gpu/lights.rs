@@ -45,9 +45,10 @@ impl Responder {
     const SPHERE_HERMITE_2: Self =
         Self { modules: &[Module::POINT, Module::SPHERE], function: "sphere_respond_hermite_2" };
     const SPHERE_CLUSTER: Self = Self { modules: &[Module::POINT, Module::SPHERE], function: "sphere_respond_cluster" };
-    const POLYGON_EXACT: Self = Self { modules: &[Module::POINT, Module::POLYGON], function: "polygon_respond_exact" };
+    const POLYGON_EXACT: Self =
+        Self { modules: &[Module::POINT, Module::CONTOUR, Module::POLYGON], function: "polygon_respond_exact" };
     const POLYGON_NEAREST_POINT: Self =
-        Self { modules: &[Module::POINT, Module::POLYGON], function: "polygon_respond_nearest_point" };
+        Self { modules: &[Module::POINT, Module::CONTOUR, Module::POLYGON], function: "polygon_respond_nearest_point" };
     const ONE_SHOT: Self = Self { modules: &[Module::ONE_SHOT], function: "one_shot_respond" };
     const ONE_SHOT_SQUARE: Self = Self { modules: &[Module::ONE_SHOT], function: "one_shot_respond_square" };
     const ONE_SHOT_SIZED: Self = Self { modules: &[Module::ONE_SHOT], function: "one_shot_respond_sized" };

@@ -31,6 +31,8 @@ modules! {
     CLUSTER = "cluster.wgsl";
     /// Linear lights.
     LINE = "line.wgsl";
+    /// Arcs of a polygon above a horizon.
+    CONTOUR = "contour.wgsl";
     /// Polygonal lights.
     POLYGON = "polygon.wgsl";
     /// Flat lights as one point light a component.

@@ -54,15 +54,15 @@ functions! {
     /// Row: ends, normal, falloff, diameter, mirror direction, exponent.
     LINE_NEAREST_POINT = "line_nearest_point" in &[Module::POINT, Module::LINE],
         "(v(0), v(3), v(6), v(11), f(14), f(9), f(10))";
-    /// Row: p, normal; and the corners.
-    POLYGON_IRRADIANCE = "polygon_irradiance" in &[Module::POLYGON],
-        "(Corners(row.first_vertex, row.vertex_count, v(0)), v(3))";
-    /// Row: p, normal, mirror direction, exponent; and the corners.
-    POLYGON_PHONG = "polygon_phong" in &[Module::POLYGON],
-        "(Corners(row.first_vertex, row.vertex_count, v(0)), v(3), v(6), f(9))";
+    /// Row: p, the light's normal, normal; and the corners.
+    POLYGON_IRRADIANCE = "polygon_irradiance" in &[Module::CONTOUR, Module::POLYGON],
+        "(Corners(row.first_vertex, row.vertex_count, v(0), v(3)), v(6))";
+    /// Row: p, the light's normal, normal, mirror direction, exponent; and the corners.
+    POLYGON_PHONG = "polygon_phong" in &[Module::CONTOUR, Module::POLYGON],
+        "(Corners(row.first_vertex, row.vertex_count, v(0), v(3)), v(6), v(9), f(12))";
     /// Row: p, the light's normal, normal, mirror direction; and the corners.
-    POLYGON_LEAST_ANGLE_COSINE = "polygon_least_angle_cosine" in &[Module::POLYGON],
-        "(Corners(row.first_vertex, row.vertex_count, v(0)), v(3), v(6), v(9))";
+    POLYGON_LEAST_ANGLE_COSINE = "polygon_least_angle_cosine" in &[Module::CONTOUR, Module::POLYGON],
+        "(Corners(row.first_vertex, row.vertex_count, v(0), v(3)), v(6), v(9))";
     /// Row: vector to the centre, radius, normal.
     SPHERE_IRRADIANCE = "sphere_irradiance" in &[Module::POINT, Module::SPHERE], "(v(0), f(3), v(4))";
     /// Row: vector to the centre, radius, normal.

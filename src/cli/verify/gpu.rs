@@ -5,8 +5,8 @@ use super::cases::{Check, Light, Part};
 use super::table::Row;
 use crate::gpu::Context;
 use crate::gpu::twin::cases::{
-    Case, is_grazing, line_irradiance_case, line_phong_case, polygon_irradiance_case, polygon_phong_case,
-    sphere_irradiance_case, sphere_phong_case,
+    Case, line_irradiance_case, line_phong_case, polygon_irradiance_case, polygon_phong_case, sphere_irradiance_case,
+    sphere_phong_case,
 };
 use crate::gpu::twin::{self, Function, Twin, bound};
 use crate::light::Emitter;
@@ -23,8 +23,6 @@ struct Asked<'a> {
     case: Case,
     /// What the function's value is multiplied by to be in the file's normalisation.
     factor: f64,
-    /// Whether the function promises its bound here.
-    in_domain: bool,
 }
 
 impl Device {
@@ -42,12 +40,8 @@ impl Device {
         let mut rows = Vec::new();
         for (asked, value) in asked.iter().zip(values) {
             let (value, expected) = (f64::from(value) * asked.factor, asked.case.expected * asked.factor);
-            if asked.in_domain {
-                let bound = bound(asked.case.expected, asked.case.scale) * asked.factor;
-                super::row_of(&mut rows, asked.model, "exact (gpu)").judged(asked.id, value, expected, bound);
-            } else {
-                super::row_of(&mut rows, asked.model, "exact (gpu), grazing").measured(asked.id, value, expected);
-            }
+            let bound = bound(asked.case.expected, asked.case.scale) * asked.factor;
+            super::row_of(&mut rows, asked.model, "exact (gpu)").judged(asked.id, value, expected, bound);
         }
         Ok(rows)
     }
@@ -58,13 +52,11 @@ fn ask<'a>(id: &'a str, check: &Check) -> Option<Asked<'a>> {
     let Light::Emitter(emitter) = &check.light else { return None };
     let (p, n, r, m) = (check.at.p, check.at.n, check.at.mirror(), check.lobe.exponent());
     let mut factor = check.factor;
-    let mut in_domain = true;
     let (function, case) = match (emitter, check.part) {
         (Emitter::Polygon(light), Part::Irradiance) => {
             (twin::POLYGON_IRRADIANCE, polygon_irradiance_case(&light.vertices, p, n))
         }
         (Emitter::Polygon(light), Part::Specular) => {
-            in_domain = !is_grazing(&light.vertices, p);
             (twin::POLYGON_PHONG, polygon_phong_case(&light.vertices, p, n, r, m))
         }
         (Emitter::Line(light), Part::Irradiance) => (twin::LINE_IRRADIANCE, line_irradiance_case(light, p, n)),
@@ -77,5 +69,5 @@ fn ask<'a>(id: &'a str, check: &Check) -> Option<Asked<'a>> {
         (Emitter::Sphere(light), Part::Specular) => (twin::SPHERE_PHONG, sphere_phong_case(light, p, n, r, m)),
         _ => return None,
     };
-    Some(Asked { id, model: check.name, function, case, factor, in_domain })
+    Some(Asked { id, model: check.name, function, case, factor })
 }

@@ -39,16 +39,18 @@ pub fn line_phong_case(light: &LineEmitter, p: DVec3, n: DVec3, r: DVec3, m: f64
 
 /// A row of [`super::POLYGON_IRRADIANCE`].
 pub fn polygon_irradiance_case(vertices: &[DVec3], p: DVec3, n: DVec3) -> Case {
+    let normal = normal_of(vertices);
     let (vertices, n) = (vertices_about(vertices, p), rounded(n));
-    let row = Row::default().vertices(&vertices).vector(DVec3::ZERO).vector(n);
+    let row = Row::default().vertices(&vertices).vector(DVec3::ZERO).vector(normal).vector(n);
     let expected = polygon_irradiance(&vertices, DVec3::ZERO, n.normalize());
     Case { row, expected, scale: polygon_solid_angle(&vertices).min(PI) }
 }
 
 /// A row of [`super::POLYGON_PHONG`].
 pub fn polygon_phong_case(vertices: &[DVec3], p: DVec3, n: DVec3, r: DVec3, m: f64) -> Case {
+    let normal = normal_of(vertices);
     let (vertices, n, r, m) = (vertices_about(vertices, p), rounded(n), rounded(r), rounded_number(m));
-    let row = Row::default().vertices(&vertices).vector(DVec3::ZERO).vector(n).vector(r).number(m);
+    let row = Row::default().vertices(&vertices).vector(DVec3::ZERO).vector(normal).vector(n).vector(r).number(m);
     let expected = polygon_phong(&vertices, DVec3::ZERO, n.normalize(), r.normalize(), m);
     Case { row, expected, scale: lobe_scale(polygon_solid_angle(&vertices), m) }
 }
@@ -69,14 +71,11 @@ pub fn sphere_phong_case(light: &SphereEmitter, p: DVec3, n: DVec3, r: DVec3, m:
     Case { row, expected, scale: lobe_scale(sphere_solid_angle(&light), m) }
 }
 
-/// Whether p is within 5e-5 of a polygon's reach of its plane, the reach being its farthest corner's distance.
-///
-/// There f32 knows a horizon's crossing next to p to 1e-3 only, and the preview's Phong integral promises no bound.
-pub fn is_grazing(vertices: &[DVec3], p: DVec3) -> bool {
-    let corner = vertices[0];
+/// The unit normal of a polygon's plane, about which its corners run counter-clockwise.
+fn normal_of(vertices: &[DVec3]) -> DVec3 {
+    let Some(&corner) = vertices.first() else { return DVec3::ZERO };
     let doubled: DVec3 = vertices.windows(2).map(|edge| (edge[0] - corner).cross(edge[1] - corner)).sum();
-    let reach = vertices.iter().map(|vertex| vertex.distance(p)).fold(0.0, f64::max);
-    doubled.normalize_or_zero().dot(corner - p).abs() <= 5e-5 * reach
+    doubled.normalize_or_zero()
 }
 
 /// What the rows of all functions of lines begin with.

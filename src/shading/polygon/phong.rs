@@ -22,8 +22,7 @@ use crate::math::spherical::{Edge, HorizonClip, azimuth_between};
 /// **Domain:** unit r and n, real m ≥ 1, any planar simple polygon, either way round; two-sided.
 /// **Units:** 1 per cd·m⁻².
 /// **Accuracy:** 2e-12 of the scale within 1e-6 of the light, 4e-14 elsewhere (`closed_form::polygon`).
-/// **Twin:** `shaders/polygon.wgsl`; for `p` within 5e-5 of the light's reach of its plane, f32 errs by up to 6e-4 over the
-/// reference cases (`softbox verify`).
+/// **Twin:** `shaders/polygon.wgsl`.
 pub fn polygon_phong(vertices: &[DVec3], p: DVec3, n: DVec3, r: DVec3, m: f64) -> f64 {
     let mut above_surface = HorizonClip::new(n);
     let clipped = edges(vertices, p).flat_map(move |edge| {
@@ -174,7 +173,7 @@ impl Arc {
         let half_power = 0.5 * (m + 1.0);
         let density = |phi: f64| {
             let sine = phi.sin();
-            let off_axis = self.gamma * self.gamma + self.rho * self.rho * sine * sine;
+            let off_axis = (self.gamma * self.gamma + self.rho * self.rho * sine * sine).min(1.0);
             if off_axis > 0.0 { -(half_power * (-off_axis).ln_1p()).exp_m1() / off_axis } else { half_power }
         };
         let integral = if has_branch_point(m) {
