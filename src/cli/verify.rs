@@ -7,6 +7,7 @@ mod gpu;
 #[path = "verify/no_gpu.rs"]
 mod gpu;
 mod table;
+mod textured;
 
 use std::path::PathBuf;
 
@@ -21,8 +22,8 @@ use crate::shading::Method;
 /// Judge every method by reference cases.
 ///
 /// Prints a row a file and method. Exact methods must hold 1e-10 of the value (and 50 roundings of the inputs) plus
-/// 1e-13 of the scale; the reference must hold its own bound, and that 1e-6 of the value plus 1e-9 of the scale;
-/// approximations are only measured. Exit status 1 when a case is out of bounds or a model is not built.
+/// 1e-13 of the scale; the reference must hold its own bound, and that 1e-6 of the value plus 1e-9 of the scale, and so
+/// must textured lights; approximations are only measured. Exit status 1 when a case is out of bounds or a model is not built.
 ///
 /// Rows `exact (gpu)` run the preview's functions on inputs rounded to f32 about p; they must hold 1e-4 of what the f64
 /// core makes of the same inputs, plus 1e-6 of the scale. Where p is within 5e-5 of a polygon's reach of its plane, f32
@@ -67,7 +68,7 @@ pub(super) fn run(args: &Args) -> anyhow::Result<Outcome> {
     let mut rows = Vec::new();
     for ((_, file), questions) in files.iter().zip(&asked) {
         let Some(questions) = questions else {
-            rows.push(Row::not_built(&file.model));
+            rows.extend(textured::rows(file)?.unwrap_or_else(|| vec![Row::not_built(&file.model)]));
             continue;
         };
         rows.extend(judge(questions));

@@ -1,20 +1,30 @@
 //! The pattern of a textured light: its image, and the file that it comes from.
 
+mod spread;
+
+pub use spread::Span;
+
 use std::borrow::Cow;
 use std::fmt;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
+use self::spread::Spread;
+use crate::math::interpolation::{Grid, even_weights};
+
 /// One channel of a pattern: luminance of each texel as a share of the light's, row by row, constant over a texel.
 ///
 /// Values are finite and not negative. They are kept as images give them, in single precision.
-#[derive(Clone, PartialEq)]
+#[derive(Clone)]
 pub struct Channel {
-    width: usize,
-    height: usize,
+    width: u32,
+    height: u32,
     texels: Vec<f32>,
+    mean: f64,
+    /// Computed when first asked for.
+    spread: OnceLock<Spread>,
 }
 
 impl fmt::Debug for Channel {
@@ -53,28 +63,50 @@ impl fmt::Debug for Contents {
     }
 }
 
+impl PartialEq for Channel {
+    fn eq(&self, other: &Self) -> bool {
+        self.width == other.width && self.texels == other.texels
+    }
+}
+
 impl Channel {
     /// The channel of those texels, `width` a row; `None` where they do not fill rows, or one is negative or not finite.
     pub fn new(width: usize, texels: Vec<f32>) -> Option<Self> {
         let height = texels.len().checked_div(width)?;
         let right = height > 0 && height * width == texels.len();
         let sound = texels.iter().all(|texel| texel.is_finite() && *texel >= 0.0);
-        (right && sound).then_some(Self { width, height, texels })
+        let [width, height] = [width.try_into().ok()?, height.try_into().ok()?];
+        let sum: f64 = texels.iter().map(|texel| f64::from(*texel)).sum();
+        let mean = sum / texels.len() as f64;
+        (right && sound).then_some(Self { width, height, texels, mean, spread: OnceLock::new() })
+    }
+
+    /// A channel of that size whose texels are a function's values at their middles, by shares u of a row and v of a
+    /// column.
+    pub fn of_shares(width: usize, height: usize, value: impl Fn(f64, f64) -> f64) -> Option<Self> {
+        let share = |i: usize, count: usize| (i as f64 + 0.5) / count as f64;
+        let texels = (0..width * height).map(|i| single(value(share(i % width, width), share(i / width, height))));
+        Self::new(width, texels.collect())
     }
 
     /// One texel of value 1.
     pub fn white() -> Self {
-        Self { width: 1, height: 1, texels: vec![1.0] }
+        Self { width: 1, height: 1, texels: vec![1.0], mean: 1.0, spread: OnceLock::new() }
+    }
+
+    /// Columns and rows.
+    pub fn size(&self) -> [u32; 2] {
+        [self.width, self.height]
     }
 
     /// Texels in a row.
     pub fn width(&self) -> usize {
-        self.width
+        self.width as usize
     }
 
     /// Rows.
     pub fn height(&self) -> usize {
-        self.height
+        self.height as usize
     }
 
     /// The texels, row by row.
@@ -82,11 +114,37 @@ impl Channel {
         &self.texels
     }
 
+    /// `count` texels of a row, from the column `first`.
+    fn row(&self, row: usize, first: usize, count: usize) -> &[f32] {
+        &self.texels[row * self.width() + first..][..count]
+    }
+
+    /// The texel at shares u of a row and v of a column, from 0 to 1.
+    pub fn value(&self, u: f64, v: f64) -> f64 {
+        let index = |share: f64, count: u32| (share * f64::from(count)).clamp(0.0, f64::from(count - 1)) as usize;
+        f64::from(self.texels[index(v, self.height) * self.width() + index(u, self.width)])
+    }
+
+    /// A part's texels, gathered on few nodes: ∫ L ℓ_k ℓ_l du dv over it, ℓ the polynomials of
+    /// [`crate::math::interpolation`]. Indexed by row, then column.
+    pub fn weights(&self, columns: &Span, rows: &Span) -> Grid {
+        if columns.is_within_texel() && rows.is_within_texel() {
+            let level = self.value(columns.at(0.0), rows.at(0.0));
+            even_weights(level * 0.25 * columns.length() * rows.length())
+        } else {
+            self.spread.get_or_init(|| Spread::new(self)).weights(self, columns, rows)
+        }
+    }
+
     /// Mean of the texels.
     pub fn mean(&self) -> f64 {
-        let sum: f64 = self.texels.iter().map(|texel| f64::from(*texel)).sum();
-        sum / (self.width * self.height) as f64
+        self.mean
     }
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "texels are kept in single precision")]
+fn single(value: f64) -> f32 {
+    value as f32
 }
 
 impl PartialEq for Image {

@@ -3,6 +3,7 @@
 pub mod angle;
 pub mod chebyshev;
 pub mod frame;
+pub mod interpolation;
 pub mod quadrature;
 pub mod special;
 pub mod spherical;

@@ -7,11 +7,13 @@ mod disk;
 mod line;
 mod polygon;
 mod sphere;
+mod textured;
 
 pub use disk::disk_reference;
 pub use line::line_reference;
 pub use polygon::polygon_reference;
 pub use sphere::{cap_reference, sphere_reference};
+pub use textured::{Luminance, rectangle_reference, textured_reference};
 
 use std::f64::consts::PI;
 
@@ -102,9 +104,7 @@ pub fn reference(emitter: &Emitter, at: &ShadingPoint, lobe: &PhongLobe) -> Boun
         Emitter::Line(light) => line_reference(light, at.p, &kernel),
         Emitter::Sphere(light) => sphere_reference(light, at.p, &kernel),
         Emitter::Disk(light) => disk_reference(light, at.p, &kernel),
-        Emitter::Textured(light) => {
-            polygon_reference(&super::textured::as_polygon(light), at.p, &kernel) * light.pattern.mean()
-        }
+        Emitter::Textured(light) => textured_reference(light, at.p, &kernel),
         Emitter::Cap(light) => cap_reference(light.to_center, light.half_angle, &kernel),
         Emitter::Sky(light) => {
             cap_reference(light.zenith, std::f64::consts::FRAC_PI_2, &kernel)

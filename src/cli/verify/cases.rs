@@ -30,8 +30,8 @@ pub(super) struct ReferenceFile {
 #[derive(Debug, Deserialize)]
 pub(super) struct Case {
     pub(super) id: String,
-    inputs: Inputs,
-    expected: f64,
+    pub(super) inputs: Inputs,
+    pub(super) expected: f64,
     expected_nclip: Option<f64>,
     f64_rounding_rel: Option<f64>,
 }
@@ -40,10 +40,10 @@ pub(super) struct Case {
 #[derive(Debug, Default, Deserialize)]
 #[serde(default)]
 #[expect(non_snake_case, reason = "the names of the schema")]
-struct Inputs {
-    p: Option<DVec3>,
-    N: Option<DVec3>,
-    R: Option<DVec3>,
+pub(super) struct Inputs {
+    pub(super) p: Option<DVec3>,
+    pub(super) N: Option<DVec3>,
+    pub(super) R: Option<DVec3>,
     L: Option<DVec3>,
     A: Option<DVec3>,
     B: Option<DVec3>,
@@ -53,6 +53,10 @@ struct Inputs {
     n: Option<f64>,
     decay: Option<f64>,
     vertices: Option<Vec<DVec3>>,
+    pub(super) corner: Option<DVec3>,
+    pub(super) eu: Option<DVec3>,
+    pub(super) ev: Option<DVec3>,
+    pub(super) pattern: Option<super::textured::Pattern>,
 }
 
 /// One number that the core has to give.
@@ -127,7 +131,7 @@ impl Case {
 }
 
 impl Inputs {
-    fn vector(value: Option<DVec3>, name: &str) -> anyhow::Result<DVec3> {
+    pub(super) fn vector(value: Option<DVec3>, name: &str) -> anyhow::Result<DVec3> {
         value.filter(|v| v.is_finite()).with_context(|| format!("missing input `{name}`"))
     }
 
@@ -135,11 +139,11 @@ impl Inputs {
         value.with_context(|| format!("missing input `{name}`"))
     }
 
-    fn direction(value: Option<DVec3>, name: &str) -> anyhow::Result<DVec3> {
+    pub(super) fn direction(value: Option<DVec3>, name: &str) -> anyhow::Result<DVec3> {
         Self::vector(value, name)?.try_normalize().with_context(|| format!("input `{name}` is no direction"))
     }
 
-    fn exponent(&self) -> anyhow::Result<f64> {
+    pub(super) fn exponent(&self) -> anyhow::Result<f64> {
         let m = Self::number(self.n, "n")?;
         ensure!(m >= 1.0, "input `n` is {m}, below 1");
         Ok(m)

@@ -1,0 +1,379 @@
+//! Adaptive quadrature over a rectangle with a pattern, with an error bound.
+
+use std::f64::consts::TAU;
+
+use glam::{DVec2, DVec3};
+
+use crate::light::TexturedEmitter;
+use crate::light::pattern::{Channel, Span};
+use crate::math::interpolation::{CHEBYSHEV, Grid, NODES, even_weights};
+use crate::math::quadrature::Estimate;
+use crate::math::spherical::triangle_solid_angle;
+
+/// How luminance is spread over a rectangle, by shares u along its rows and v along its columns.
+pub trait Distribution {
+    /// The whole rectangle: its columns and its rows.
+    fn whole(&self) -> [Span; 2];
+
+    /// ∫ L ℓ_k ℓ_l du dv over a part, ℓ the polynomials of [`crate::math::interpolation`]. Indexed by row, then column.
+    fn weights(&self, columns: &Span, rows: &Span) -> Grid;
+
+    /// Whether L is smooth within a part.
+    fn is_smooth(&self, columns: &Span, rows: &Span) -> bool;
+
+    /// L at a point.
+    fn value(&self, u: f64, v: f64) -> f64;
+}
+
+impl Distribution for Channel {
+    fn whole(&self) -> [Span; 2] {
+        self.size().map(Span::whole)
+    }
+
+    fn weights(&self, columns: &Span, rows: &Span) -> Grid {
+        self.weights(columns, rows)
+    }
+
+    fn is_smooth(&self, columns: &Span, rows: &Span) -> bool {
+        columns.is_within_texel() && rows.is_within_texel()
+    }
+
+    fn value(&self, u: f64, v: f64) -> f64 {
+        self.value(u, v)
+    }
+}
+
+/// What light is weighed with: a density over the directions, above two horizons.
+#[derive(Clone, Copy, Debug)]
+pub struct Weighing<F> {
+    /// The density in a unit direction; smooth on a scale of [`Self::width`], across the horizons too.
+    pub density: F,
+    /// No density is above this.
+    pub greatest: f64,
+    /// Unit direction about which it is great.
+    pub peak: DVec3,
+    /// The angle about the peak in which it falls by the factor √e, radians.
+    pub width: f64,
+    /// The angle about the peak beyond which it is nothing beside its greatest.
+    pub reach: f64,
+    /// Unit normals; directions below count nothing.
+    pub horizons: [DVec3; 2],
+}
+
+/// The error sought.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sought {
+    /// Relative to the integral.
+    pub relative: f64,
+    /// Relative to the greatest density times the solid angle of the rectangle or of the density, if that is smaller.
+    pub absolute: f64,
+    /// Parts that may be looked at.
+    pub parts: usize,
+}
+
+impl Default for Sought {
+    fn default() -> Self {
+        Self { relative: 5e-7, absolute: 1e-10, parts: 1 << 20 }
+    }
+}
+
+/// A part is small enough where its half diagonal is below this share of its distance.
+const NEAREST: f64 = 0.6;
+
+/// A part is small enough where the angle to its corners is below this many widths of the density.
+const WIDEST: f64 = 1.5;
+
+/// What a density beyond its reach is beside its greatest.
+const NOTHING: f64 = 1e-17;
+
+/// ∫ L(ω) density(ω) dω over what a rectangle's lit side sends to p, L by `pattern`.
+///
+/// The rectangle is halved, part by part, until the sum of the parts' errors is as sought. On a part that no horizon
+/// crosses, and that is small beside its distance and the density's width, density·dω/du dv is replaced by the
+/// polynomial through its values at 8 × 8 Chebyshev nodes, whose products with L are known from
+/// [`Distribution::weights`]: the cost depends on what the density does, not on how many texels there are. The error is
+/// the polynomial's, estimated by its last coefficients, times ∫ L. A texel that a horizon crosses is cut there, and
+/// what is above goes on as triangles. The integral over any other part is somewhere from 0 to what the greatest density
+/// would give.
+///
+/// **Source:** derived here. **Domain:** any p; 0 in the rectangle's plane and behind it.
+/// **Accuracy:** the bound, which is as sought unless the parts are used up.
+pub fn integrate<F: Fn(DVec3) -> f64>(
+    light: &TexturedEmitter,
+    pattern: &impl Distribution,
+    p: DVec3,
+    weighing: &Weighing<F>,
+    sought: Sought,
+) -> Estimate {
+    let Some(view) = View::new(light, pattern, p, weighing) else { return Estimate::default() };
+    let absolute = sought.absolute * weighing.greatest * view.solid_angle().min(TAU * weighing.width.powi(2));
+    let [columns, rows] = pattern.whole();
+    let mut parts = view.rectangle(columns, rows);
+    let mut looked_at = parts.len();
+    loop {
+        let total = parts.iter().fold(Estimate::default(), |sum, part| sum + part.estimate);
+        let enough = absolute.max(sought.relative * total.value);
+        let before = looked_at;
+        if total.error > enough && looked_at < sought.parts {
+            // Parts below their share of what is enough, or far below the worst, stay as they are for now.
+            let worst = parts.iter().map(|part| part.estimate.error).fold(0.0, f64::max);
+            let threshold = (enough / parts.len() as f64).max(worst / 64.0);
+            let mut next = Vec::with_capacity(2 * parts.len());
+            for part in parts.drain(..) {
+                match if part.estimate.error > threshold { view.halves(&part) } else { None } {
+                    Some(halves) => {
+                        looked_at += halves.len();
+                        next.extend(halves);
+                    }
+                    None => next.push(part),
+                }
+            }
+            parts = next;
+        }
+        if looked_at == before {
+            let rounding = 16.0 * f64::EPSILON * view.conditioning() * total.value;
+            return Estimate { error: total.error + rounding, ..total };
+        }
+    }
+}
+
+/// A part of the rectangle.
+#[derive(Clone, Copy, Debug)]
+enum Region {
+    /// Columns and rows.
+    Rectangle(Span, Span),
+    /// Corners (u, v) of a part that no horizon crosses, in which the pattern is smooth.
+    Triangle([DVec2; 3]),
+}
+
+/// A part, what comes from it, and where to halve it.
+#[derive(Clone, Copy, Debug)]
+struct Part {
+    region: Region,
+    estimate: Estimate,
+    /// Between columns rather than rows; only for rectangles.
+    across: bool,
+}
+
+/// The rectangle seen from p, at the origin.
+struct View<'a, P, F> {
+    pattern: &'a P,
+    weighing: &'a Weighing<F>,
+    corner: DVec3,
+    row: DVec3,
+    column: DVec3,
+    area: f64,
+    /// Distance of p from the plane.
+    height: f64,
+    /// Distance of the farthest corner.
+    extent: f64,
+}
+
+impl<'a, P: Distribution, F: Fn(DVec3) -> f64> View<'a, P, F> {
+    /// `None` where the rectangle does not shine on p.
+    fn new(light: &TexturedEmitter, pattern: &'a P, p: DVec3, weighing: &'a Weighing<F>) -> Option<Self> {
+        let corners = light.corners().map(|corner| corner - p);
+        let nearest = corners.into_iter().min_by(|a, b| a.length().total_cmp(&b.length()))?;
+        let extent = corners.iter().map(|corner| corner.length()).fold(0.0, f64::max);
+        let depth = -light.normal.dot(nearest);
+        let height = if light.two_sided { depth.abs() } else { depth };
+        let (corner, row, column) = (corners[0], light.row, light.column);
+        let view = Self { pattern, weighing, corner, row, column, area: light.area(), height, extent };
+        (height > 1e-14 * extent && view.area > 0.0).then_some(view)
+    }
+
+    fn point(&self, u: f64, v: f64) -> DVec3 {
+        self.corner + u * self.row + v * self.column
+    }
+
+    fn solid_angle(&self) -> f64 {
+        let [a, b, c, d] = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)].map(|(u, v)| self.point(u, v));
+        (triangle_solid_angle(a, b, c) + triangle_solid_angle(a, c, d)).abs()
+    }
+
+    /// By how much the rounding of the inputs about p may grow.
+    fn conditioning(&self) -> f64 {
+        1.0 + self.extent / self.height + self.extent / self.row.length().min(self.column.length())
+    }
+
+    /// The integrand at a point of the rectangle: density × dω/dA.
+    fn integrand(&self, x: DVec3) -> f64 {
+        let distance = x.length();
+        (self.weighing.density)(x / distance) * self.height / distance.powi(3)
+    }
+
+    /// What is known of the integrand within a distance of a point of the rectangle.
+    fn bound(&self, centre: DVec3, radius: f64) -> Bound {
+        let distance = centre.length();
+        let nearest = (distance - radius).max(self.height);
+        let greatest = self.weighing.greatest * self.height / nearest.powi(3);
+        let sine = radius / distance;
+        let angular_radius = sine.min(1.0).asin();
+        let peak = self.weighing.peak;
+        let from_peak = peak.cross(centre).length().atan2(peak.dot(centre)) - angular_radius;
+        if sine <= 1.0 && from_peak > self.weighing.reach {
+            Bound::UpTo(NOTHING * greatest)
+        } else if sine <= NEAREST && angular_radius <= WIDEST * self.weighing.width {
+            Bound::Smooth
+        } else {
+            Bound::UpTo(greatest)
+        }
+    }
+
+    /// What comes from a rectangle, in as many parts as the horizons make of it.
+    fn rectangle(&self, columns: Span, rows: Span) -> Vec<Part> {
+        let corners = [(columns.lo, rows.lo), (columns.hi, rows.lo), (columns.hi, rows.hi), (columns.lo, rows.hi)];
+        let corners = corners.map(|(u, v)| DVec2::new(u, v));
+        let mut is_crossed = false;
+        for normal in self.weighing.horizons {
+            let heights = corners.map(|corner| self.above(normal, corner));
+            if heights.iter().all(|height| *height <= 0.0) {
+                return Vec::new();
+            }
+            is_crossed |= heights.iter().any(|height| *height < 0.0);
+        }
+        let (u, v) = (columns.at(0.0), rows.at(0.0));
+        if is_crossed && self.pattern.is_smooth(&columns, &rows) {
+            return self.clipped(&corners);
+        }
+        let weights = self.pattern.weights(&columns, &rows);
+        let flux = self.area * weights.iter().flatten().sum::<f64>();
+        if flux <= 0.0 {
+            return Vec::new();
+        }
+        let extent = DVec2::new(columns.length() * self.row.length(), rows.length() * self.column.length());
+        let (estimate, across) = match self.bound(self.point(u, v), 0.5 * extent.length()) {
+            Bound::UpTo(greatest) => (up_to(flux * greatest), extent.x > extent.y),
+            Bound::Smooth => {
+                let values = CHEBYSHEV.nodes.map(|y| {
+                    let v = rows.at(y);
+                    CHEBYSHEV.nodes.map(|x| self.integrand(self.point(columns.at(x), v)))
+                });
+                let tails = tails(&values);
+                let across = tails[0] > tails[1];
+                if is_crossed {
+                    let greatest = values.iter().flatten().fold(0.0, |greatest: f64, value| greatest.max(value.abs()));
+                    (up_to(flux * (2.0 * greatest + tails[0] + tails[1])), extent.x > extent.y)
+                } else {
+                    let error = 2.0 * flux * (tails[0] + tails[1]);
+                    (Estimate { value: self.area * product(&weights, &values), error }, across)
+                }
+            }
+        };
+        vec![Part { region: Region::Rectangle(columns, rows), estimate, across }]
+    }
+
+    /// How far a point is above a horizon, which rounding cannot put on its other side.
+    fn above(&self, normal: DVec3, corner: DVec2) -> f64 {
+        let above = normal.dot(self.point(corner.x, corner.y));
+        if above.abs() <= 1e-14 * self.extent { 0.0 } else { above }
+    }
+
+    /// What comes from a convex polygon in which the pattern is smooth, as far as it is above the horizons.
+    fn clipped(&self, corners: &[DVec2]) -> Vec<Part> {
+        let mut corners = corners.to_vec();
+        for normal in self.weighing.horizons {
+            corners = clip(&corners, |corner| self.above(normal, corner));
+        }
+        let Some((first, rest)) = corners.split_first() else { return Vec::new() };
+        rest.windows(2).filter_map(|pair| self.triangle([*first, pair[0], pair[1]])).collect()
+    }
+
+    /// What comes from a triangle: a square, of which one side is drawn together in the first corner.
+    fn triangle(&self, corners: [DVec2; 3]) -> Option<Part> {
+        let [a, b, c] = corners;
+        let double_area = self.area * (b - a).perp_dot(c - a).abs();
+        if double_area <= 0.0 {
+            return None;
+        }
+        let centre = (a + b + c) / 3.0;
+        let points = corners.map(|corner| self.point(corner.x, corner.y));
+        let middle = self.point(centre.x, centre.y);
+        let radius = points.iter().map(|point| point.distance(middle)).fold(0.0, f64::max);
+        let level = |at: DVec2| self.pattern.value(at.x, at.y);
+        let estimate = match self.bound(middle, radius) {
+            Bound::UpTo(greatest) => {
+                up_to(0.5 * double_area * greatest * corners.map(level).into_iter().fold(0.0, f64::max))
+            }
+            Bound::Smooth => {
+                let values = CHEBYSHEV.nodes.map(|y| {
+                    let across = b.lerp(c, 0.5 + 0.5 * y);
+                    CHEBYSHEV.nodes.map(|x| {
+                        let share = 0.5 + 0.5 * x;
+                        let at = a.lerp(across, share);
+                        share * level(at) * self.integrand(self.point(at.x, at.y))
+                    })
+                });
+                let tails = tails(&values);
+                let value = product(&even_weights(0.25 * double_area), &values);
+                Estimate { value, error: 2.0 * double_area * (tails[0] + tails[1]) }
+            }
+        };
+        Some(Part { region: Region::Triangle(corners), estimate, across: false })
+    }
+
+    /// The halves of a part; `None` where numbers cannot tell them apart.
+    fn halves(&self, part: &Part) -> Option<Vec<Part>> {
+        match part.region {
+            Region::Rectangle(columns, rows) => {
+                let [of_columns, of_rows] = [columns.halves(), rows.halves()];
+                let by_columns = |halves: [Span; 2]| halves.map(|half| self.rectangle(half, rows)).concat();
+                let by_rows = |halves: [Span; 2]| halves.map(|half| self.rectangle(columns, half)).concat();
+                if part.across {
+                    of_columns.map(by_columns).or_else(|| of_rows.map(by_rows))
+                } else {
+                    of_rows.map(by_rows).or_else(|| of_columns.map(by_columns))
+                }
+            }
+            Region::Triangle([a, b, c]) => {
+                let length = |from: DVec2, to: DVec2| self.point(from.x, from.y).distance(self.point(to.x, to.y));
+                let turned = [[a, b, c], [b, c, a], [c, a, b]];
+                let longest = |x: &&[DVec2; 3], y: &&[DVec2; 3]| length(x[0], x[1]).total_cmp(&length(y[0], y[1]));
+                let [a, b, c] = *turned.iter().max_by(longest)?;
+                let middle = 0.5 * (a + b);
+                (middle != a && middle != b).then(|| {
+                    [[a, middle, c], [middle, b, c]].into_iter().filter_map(|half| self.triangle(half)).collect()
+                })
+            }
+        }
+    }
+}
+
+/// What is known of the integrand in a part.
+enum Bound {
+    /// It is between 0 and this.
+    UpTo(f64),
+    /// It is smooth enough for a polynomial.
+    Smooth,
+}
+
+/// Somewhere between 0 and `greatest`.
+fn up_to(greatest: f64) -> Estimate {
+    Estimate { value: 0.5 * greatest, error: 0.5 * greatest }
+}
+
+/// Σ w_kl f_kl.
+fn product(weights: &Grid, values: &Grid) -> f64 {
+    weights.iter().flatten().zip(values.iter().flatten()).map(|(weight, value)| weight * value).sum()
+}
+
+/// The greatest tail of the polynomials along the rows, and of those along the columns.
+fn tails(values: &Grid) -> [f64; 2] {
+    let greatest = |tail: &dyn Fn(usize) -> f64| (0..NODES).map(tail).fold(0.0, f64::max);
+    [greatest(&|l| CHEBYSHEV.tail(|k| values[l][k])), greatest(&|k| CHEBYSHEV.tail(|l| values[l][k]))]
+}
+
+/// The part of a convex polygon at whose corners and between which a linear function is not negative.
+fn clip(corners: &[DVec2], above: impl Fn(DVec2) -> f64) -> Vec<DVec2> {
+    let mut clipped = Vec::with_capacity(corners.len() + 1);
+    for (a, b) in corners.iter().zip(corners.iter().cycle().skip(1)) {
+        let (above_a, above_b) = (above(*a), above(*b));
+        if above_a >= 0.0 {
+            clipped.push(*a);
+        }
+        if (above_a > 0.0 && above_b < 0.0) || (above_a < 0.0 && above_b > 0.0) {
+            clipped.push(a.lerp(*b, above_a / (above_a - above_b)));
+        }
+    }
+    clipped
+}
