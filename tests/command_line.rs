@@ -512,6 +512,26 @@ fn figures_lists_what_there_is_and_refuses_what_there_is_not() {
     assert!(names(folder.path()).is_empty(), "a refused run leaves no file");
 }
 
+#[test]
+fn the_page_of_figures_shows_what_there_is() {
+    let page = fs::read_to_string("docs/figures.md").expect("the page is there");
+    let listed = run(&["figures", "--list"]);
+    check_done(&listed);
+    let listed: Vec<_> = text(&listed.stdout).lines().filter_map(|line| line.split_whitespace().next()).collect();
+    let named: Vec<_> = page.split("`softbox figures ").skip(1).filter_map(|rest| rest.split('`').next()).collect();
+    assert!(named.len() > 15, "only {} commands are found", named.len());
+    for name in &named {
+        assert!(listed.contains(name), "there is no figure {name}");
+    }
+    for name in &listed {
+        assert!(named.contains(name), "the page does not show {name}");
+    }
+    for picture in page.split("](").skip(1).filter_map(|rest| rest.split(')').next()) {
+        let size = fs::metadata(Path::new("docs").join(picture)).expect("the picture is there").len();
+        assert!(size <= 60 * 1024, "{picture} has {size} bytes");
+    }
+}
+
 /// Ctrl-C while a picture is rendered: status 130, and the old file is all there is.
 #[cfg(target_os = "linux")]
 #[test]

@@ -104,6 +104,9 @@ pub(super) const FIGURES: &[Figure] = &[
     picture("poulin-2", "the same sphere under a linear light", "poulin-sphere.toml", Method::Chebyshev),
     picture("poulin-3", "cafeteria with 12 linear lights", "poulin-cafeteria.toml", Method::Chebyshev),
     picture("poulin-4", "desk under a linear light", "poulin-desk.toml", Method::Chebyshev),
+    table("chebyshev-degrees", "what POULIN's degree 6 is worth, and what finer levels need", |_| {
+        Some(figures::chebyshev_degrees())
+    }),
     chart("snyder-2", "illuminance from caps of 30, 60 and 90 degrees", |_| Some(figures::snyder_2())),
     chart("snyder-3", "two Hermite segments beside exact", |_| Some(figures::snyder_3())),
     chart("snyder-4", "Phong reflection of skies", |_| Some(figures::snyder_4())),
