@@ -532,26 +532,42 @@ fn the_page_of_figures_shows_what_there_is() {
     }
 }
 
-/// Ctrl-C while a picture is rendered: status 130, and the old file is all there is.
+/// Ctrl-C while the program works: status 130.
 #[cfg(target_os = "linux")]
-#[test]
-fn an_interrupted_picture_leaves_the_old_file_and_no_other() {
+#[track_caller]
+fn check_interrupted(arguments: &[&str]) {
     use std::time::Duration;
 
-    let folder = folder();
-    let output = folder.path().join("a.png");
-    fs::write(&output, "old").expect("the old file");
-    let arguments = ["render", WINDOW, "-o", shown(&output), "--size", "2000x2000", "--method", "reference"];
-    let mut child = softbox(&arguments).stderr(Stdio::piped()).spawn().expect("the program starts");
+    let mut child = softbox(arguments).stderr(Stdio::piped()).spawn().expect("the program starts");
     while !catches_interrupts(&mut child) {
         std::thread::sleep(Duration::from_millis(5));
     }
     let killed = Command::new("kill").args(["-INT", &child.id().to_string()]).status().expect("kill runs");
     assert!(killed.success(), "the signal was sent");
     let ended = child.wait_with_output().expect("the program ends");
-    assert_eq!(ended.status.code(), Some(130), "{:?}: {}", ended.status, text(&ended.stderr));
+    assert_eq!(ended.status.code(), Some(130), "{arguments:?}, {:?}: {}", ended.status, text(&ended.stderr));
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn an_interrupted_picture_leaves_the_old_file_and_no_other() {
+    let folder = folder();
+    let output = folder.path().join("a.png");
+    fs::write(&output, "old").expect("the old file");
+    let size = ["-o", shown(&output), "--size", "2000x2000"];
+    check_interrupted(&[&["render", WINDOW, "--method", "reference"], &size[..]].concat());
+    check_interrupted(&[&["difference", WINDOW, "--of", "reference"], &size[..]].concat());
     assert!(names(folder.path()).iter().eq([&output]), "no other file");
     assert_eq!(fs::read(&output).expect("the old file"), b"old", "the old file is as it was");
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn interrupted_measurements_leave_nothing_behind() {
+    let folder = folder();
+    check_interrupted(&["figures", "-o", shown(folder.path()), "--size", "4000x4000", "poulin-3"]);
+    check_interrupted(&["report", WINDOW, "--points", "1000000"]);
+    assert!(names(folder.path()).is_empty(), "no file");
 }
 
 /// Whether a running program has a handler for SIGINT, as the kernel tells it.

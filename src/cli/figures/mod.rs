@@ -20,7 +20,7 @@ use list::{Content, FIGURES, Figure};
 const SAMPLES: u32 = 16;
 
 /// Pixels of a PNG a unit of its SVG.
-const PNG_SCALE: f32 = 0.8;
+const PNG_SCALE: f32 = 0.75;
 
 /// What a chart or a table counts for in the progress, pixels.
 const STEPS: u64 = 20_000;
