@@ -21,7 +21,7 @@ impl Pen {
     pub const fn of(method: Method) -> Self {
         match method {
             Method::Exact => Self::new(0x22_26_2b, 0xf4_f6_f8, &[]),
-            Method::Chebyshev => Self::new(0x00_72_b2, 0x4a_a8_f0, &[9.0, 3.0]),
+            Method::Chebyshev { .. } => Self::new(0x00_72_b2, 0x4a_a8_f0, &[9.0, 3.0]),
             Method::NearestPoint => Self::new(0x00_9e_73, 0x2e_cf_9d, &[6.0, 2.5]),
             Method::Hermite1 => Self::new(0x56_b4_e9, 0x8f_d3_ff, &[12.0, 3.0]),
             Method::Hermite2 => Self::new(0xcc_79_a7, 0xf2_9c_cb, &[5.0, 2.5, 2.5, 2.5]),

@@ -12,12 +12,12 @@ use super::view::Stats;
 /// Irradiance and specular response.
 const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rg32Float;
 
-/// What makes layers: one pipeline a light shape and method, made when it is first needed.
+/// What makes layers: one pipeline a light shape and method, and one for matte scenes, made when first needed.
 #[derive(Debug)]
 pub(crate) struct LayerPass {
     gbuffer_layout: wgpu::BindGroupLayout,
     light_layout: wgpu::BindGroupLayout,
-    pipelines: HashMap<Responder, wgpu::RenderPipeline>,
+    pipelines: HashMap<(Responder, bool), wgpu::RenderPipeline>,
     tables: Tables,
 }
 
@@ -36,14 +36,14 @@ impl LayerPass {
         device: &wgpu::Device,
         encoder: &mut wgpu::CommandEncoder,
         gbuffer: &wgpu::BindGroup,
-        light: &LightData,
+        (light, matte): (&LightData, bool),
         target: &Target,
     ) {
         let layouts = [&self.gbuffer_layout, &self.light_layout];
         let pipeline = self
             .pipelines
-            .entry(light.responder)
-            .or_insert_with(|| pass::pipeline(device, &light.responder.source(), "layer", &layouts, &[FORMAT]));
+            .entry((light.responder, matte))
+            .or_insert_with(|| pass::pipeline(device, &light.responder.source(matte), "layer", &layouts, &[FORMAT]));
         let uniform = pass::buffer(device, &light.uniform, wgpu::BufferUsages::UNIFORM);
         let vertices = pass::storage(device, &light.vertices);
         let table = self.tables.buffer(device, &light.table);
@@ -58,6 +58,7 @@ impl LayerPass {
 pub(crate) struct Sample {
     gbuffer: Option<GBuffer>,
     lobes: Vec<Lobe>,
+    matte: bool,
     /// The G-buffer and the lobes, as the layer shaders read them.
     group: Option<wgpu::BindGroup>,
     layers: Vec<(LightData, Target)>,
@@ -96,11 +97,12 @@ impl Sample {
             self.gbuffer = Some(gbuffer_pass.draw(device, encoder, wanted.seen.clone(), self.gbuffer.take()));
             stats.g_buffers += 1;
         }
-        let lobes_before = self.lobes == wanted.lobes;
+        let lobes_before = self.lobes == wanted.lobes && self.matte == wanted.matte;
         let Some(gbuffer) = &self.gbuffer else { return false };
         let fresh = !(seen_before && lobes_before);
         if fresh || self.group.is_none() {
             self.lobes.clone_from(&wanted.lobes);
+            self.matte = wanted.matte;
             let lobes = pass::storage(device, &self.lobes);
             let resources = [
                 wgpu::BindingResource::TextureView(&gbuffer.positions.view),
@@ -119,7 +121,7 @@ impl Sample {
         for light in &wanted.lit {
             if self.layers.iter().all(|(data, _)| data != light) {
                 let target = spare.next().unwrap_or_else(|| Target::new(device, wanted.seen.size(), FORMAT));
-                layer_pass.draw(device, encoder, group, light, &target);
+                layer_pass.draw(device, encoder, group, (light, self.matte), &target);
                 self.layers.push((light.clone(), target));
                 stats.layers += 1;
                 changed = true;
@@ -136,6 +138,8 @@ pub(crate) struct Wanted {
     pub(crate) seen: Seen,
     /// The materials' lobes.
     pub(crate) lobes: Vec<Lobe>,
+    /// No material has a specular part: the layers' need not be made.
+    pub(crate) matte: bool,
     /// Lights that contribute.
     pub(crate) lit: Vec<LightData>,
     /// Lights that do not, for now.

@@ -35,6 +35,7 @@ impl Responder {
     const DIRECTIONAL: Self = Self { modules: &[Module::POINT], function: "directional_respond" };
     const LINE_EXACT: Self = Self::line("line_respond_exact");
     const LINE_CHEBYSHEV: Self = Self::line("line_respond_chebyshev");
+    const LINE_CHEBYSHEV_LONG: Self = Self::line("line_respond_chebyshev_long");
     const LINE_NEAREST_POINT: Self = Self::line("line_respond_nearest_point");
     const LINE_EXACT_DECAYING: Self = Self::line("line_respond_exact_decaying");
     const LINE_CHEBYSHEV_DECAYING: Self = Self::line("line_respond_chebyshev_decaying");
@@ -62,6 +63,7 @@ impl Responder {
         Self::CLUSTER,
         Self::LINE_EXACT,
         Self::LINE_CHEBYSHEV,
+        Self::LINE_CHEBYSHEV_LONG,
         Self::LINE_NEAREST_POINT,
         Self::LINE_EXACT_DECAYING,
         Self::LINE_CHEBYSHEV_DECAYING,
@@ -81,10 +83,12 @@ impl Responder {
         Self { modules: &[Module::POINT, Module::LINE], function }
     }
 
-    /// The whole shader of a layer.
-    pub(crate) fn source(&self) -> Source {
+    /// The whole shader of a layer; of a matte scene, its specular part is 0, and what it would take is not computed.
+    pub(crate) fn source(&self, matte: bool) -> Source {
         let modules = [&[Module::FULLSCREEN, Module::COMMON], self.modules, &[Module::LAYER]].concat();
-        let respond = format!("fn respond(at: Shading) -> Response {{ return {}(at); }}", self.function);
+        let response = format!("{}(at)", self.function);
+        let response = if matte { format!("Response({response}.irradiance, 0.0)") } else { response };
+        let respond = format!("fn respond(at: Shading) -> Response {{ return {response}; }}");
         Source::join(&modules).with("respond", &respond)
     }
 }
@@ -169,8 +173,9 @@ impl LightData {
         let responder = match method {
             Method::PointCluster(points) => return Self::line_cluster(light, points, eye),
             Method::Point => return Self::line_cluster(light, 1, eye),
-            Method::Chebyshev if plain => Responder::LINE_CHEBYSHEV,
-            Method::Chebyshev => Responder::LINE_CHEBYSHEV_DECAYING,
+            Method::Chebyshev { degree: ..=7, .. } if plain => Responder::LINE_CHEBYSHEV,
+            Method::Chebyshev { .. } if plain => Responder::LINE_CHEBYSHEV_LONG,
+            Method::Chebyshev { .. } => Responder::LINE_CHEBYSHEV_DECAYING,
             Method::NearestPoint if plain => Responder::LINE_NEAREST_POINT,
             Method::NearestPoint => Responder::LINE_NEAREST_POINT_DECAYING,
             _ if plain => Responder::LINE_EXACT,

@@ -2,7 +2,7 @@
 
 use super::types::{Lobe, f32_of};
 use crate::math::special::GAUSS_24;
-use crate::shading::PhongLobe;
+use crate::shading::{Method, PhongLobe};
 
 /// Cells of a lobe's table of ∫cosᵐφ dφ.
 const CELLS: u8 = 64;
@@ -10,9 +10,12 @@ const CELLS: u8 = 64;
 /// −ln of the share of a lobe's peak at which its table ends; it is a tenth of what f32 can add to the whole.
 const TABLE_END_LN: f64 = 19.0;
 
-/// A lobe with its Chebyshev fit and its table.
-pub(crate) fn lobe(lobe: &PhongLobe) -> Lobe {
-    let fit = lobe.chebyshev();
+/// A lobe with its table and its Chebyshev fit: `method`'s, else the usual one.
+pub(crate) fn lobe(lobe: &PhongLobe, method: Method) -> Lobe {
+    let fit = match method {
+        Method::Chebyshev { degree, levels } => lobe.chebyshev(degree, levels),
+        _ => lobe.chebyshev(6, 256),
+    };
     let (cosine_cells, cosine_integral) = cosine_table(lobe.exponent());
     Lobe {
         exponent: f32_of(lobe.exponent()),

@@ -1,5 +1,7 @@
 //! The live picture of a scene: redoes what changed, and nothing else.
 
+use glam::DVec3;
+
 use super::Context;
 use super::composite::{CompositePass, Mix, Picture};
 use super::gbuffer::{GBufferPass, Seen};
@@ -10,7 +12,7 @@ use super::read_back::{self, Pixels, ReadBackError};
 use super::types::{Lobe, vec4_of};
 use super::view::{Stats, View};
 use crate::scene::Scene;
-use crate::shading::PhongLobe;
+use crate::shading::{Method, PhongLobe};
 
 /// Samples a pixel of a converged picture.
 const SAMPLES: u16 = 8;
@@ -131,16 +133,22 @@ pub fn picture(context: &Context, scene: &Scene, view: &View) -> Result<Pixels, 
 }
 
 /// The lobe of each material, and one for surfaces whose material is missing.
-fn lobes(scene: &Scene) -> Vec<Lobe> {
+fn lobes(scene: &Scene, method: Method) -> Vec<Lobe> {
     let exponents = scene.materials.iter().map(|material| material.exponent).chain([1.0]);
-    exponents.map(|exponent| lobes::lobe(&PhongLobe::new(exponent))).collect()
+    exponents.map(|exponent| lobes::lobe(&PhongLobe::new(exponent), method)).collect()
 }
 
 /// What the layers are to be, and how they are mixed.
 fn wanted(scene: &Scene, view: &View, jitter: [f32; 2]) -> (Wanted, Mix) {
     let mut mixed = Vec::new();
-    let mut wanted =
-        Wanted { seen: Seen::new(scene, view, jitter), lobes: lobes(scene), lit: Vec::new(), dark: Vec::new() };
+    let matte = scene.materials.iter().all(|material| material.specular == DVec3::ZERO);
+    let mut wanted = Wanted {
+        seen: Seen::new(scene, view, jitter),
+        lobes: lobes(scene, view.method),
+        matte,
+        lit: Vec::new(),
+        dark: Vec::new(),
+    };
     for light in &scene.lights {
         for (emitter, weight) in light.parts() {
             let data = LightData::new(&emitter, view.method.for_shape(&light.shape), view.camera.eye);

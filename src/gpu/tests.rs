@@ -28,7 +28,8 @@ fn check(source: &Source) -> naga::Module {
 }
 
 fn every_source() -> Vec<Source> {
-    let mut sources: Vec<_> = Responder::ALL.iter().map(Responder::source).collect();
+    let mut sources: Vec<_> =
+        Responder::ALL.iter().flat_map(|responder| [true, false].map(|matte| responder.source(matte))).collect();
     sources.push(GBufferPass::source());
     sources.extend(CompositePass::sources());
     sources.extend(twin::FUNCTIONS.iter().map(twin::source));

@@ -14,8 +14,8 @@ use super::read_back::{self, ReadBackError};
 use super::shader::{Module, Source};
 use super::table;
 use super::types::{TwinRow, f32_of, u32_of, vec4_of};
-use crate::shading::PhongLobe;
 use crate::shading::one_shot::{Kernel, Prefiltered};
+use crate::shading::{Method, PhongLobe};
 
 /// A WGSL function that has a twin of the same name in `shading`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -92,13 +92,15 @@ pub struct Row {
     numbers: Vec<f32>,
     vertices: Vec<[f32; 4]>,
     lobe: PhongLobe,
+    /// Whose Chebyshev fit the lobe has.
+    method: Method,
     table: table::Table,
 }
 
 impl Default for Row {
     fn default() -> Self {
         let (numbers, vertices) = (Vec::new(), Vec::new());
-        Self { numbers, vertices, lobe: PhongLobe::new(1.0), table: table::Table::None }
+        Self { numbers, vertices, lobe: PhongLobe::new(1.0), method: Method::CHEBYSHEV, table: table::Table::None }
     }
 }
 
@@ -120,6 +122,13 @@ impl Row {
     #[must_use]
     pub fn vertices(mut self, vertices: &[DVec3]) -> Self {
         self.vertices = vertices.iter().map(|vertex| vec4_of(*vertex, 0.0)).collect();
+        self
+    }
+
+    /// Sets the method whose Chebyshev fit the lobe has.
+    #[must_use]
+    pub fn method(mut self, method: Method) -> Self {
+        self.method = method;
         self
     }
 
@@ -314,7 +323,7 @@ impl Table {
             });
             table.numbers.extend_from_slice(&row.numbers);
             table.vertices.extend_from_slice(&row.vertices);
-            table.lobes.push(lobes::lobe(&row.lobe));
+            table.lobes.push(lobes::lobe(&row.lobe, row.method));
         }
         table
     }

@@ -1,6 +1,7 @@
 //! Chebyshev fits.
 
 use std::f64::consts::PI;
+use std::sync::OnceLock;
 
 /// A polynomial fit of cosᵐ between 0 and the angle where cosᵐ = ε, and 0 beyond.
 ///
@@ -59,6 +60,41 @@ impl ChebyshevLobe {
     pub fn integral(&self, phi: f64) -> f64 {
         let t = (phi.abs() / self.cut).min(1.0);
         (self.cut * t * polynomial(&self.mean_coefficients, 2.0 * t - 1.0)).copysign(phi)
+    }
+}
+
+/// The fits of one exponent, each made when it is first asked for and then kept.
+#[derive(Clone, Debug, Default)]
+pub struct Fits(OnceLock<Box<Kept>>);
+
+#[derive(Clone, Debug)]
+struct Kept {
+    degree: u32,
+    levels: u32,
+    fit: ChebyshevLobe,
+    others: Fits,
+}
+
+impl Fits {
+    /// The fit of that degree and cut; the exponent must be the same each time.
+    pub fn get(&self, exponent: f64, degree: u32, levels: u32) -> &ChebyshevLobe {
+        let make = || {
+            let fit = ChebyshevLobe::new(exponent, degree, levels);
+            Box::new(Kept { degree, levels, fit, others: Self::default() })
+        };
+        let kept = self.0.get_or_init(make);
+        if (kept.degree, kept.levels) == (degree, levels) {
+            &kept.fit
+        } else {
+            kept.others.get(exponent, degree, levels)
+        }
+    }
+}
+
+/// What is kept follows from the exponent.
+impl PartialEq for Fits {
+    fn eq(&self, _: &Self) -> bool {
+        true
     }
 }
 
@@ -143,6 +179,14 @@ mod tests {
         println!("degree 6: {value:.3}/256, its integral {:.3} %", 100.0 * integral);
         assert!(value <= 0.291, "{value}/256");
         assert!(integral <= 1e-3, "{integral} of the lobe's integral");
+    }
+
+    #[test]
+    fn fits_are_kept() {
+        let fits = Fits::default();
+        let degrees = [6, 12, 6, 3, 12].map(|degree| fits.get(20.0, degree, 256));
+        assert!(std::ptr::eq(degrees[0], degrees[2]) && std::ptr::eq(degrees[1], degrees[4]), "the same ones");
+        assert_eq!(degrees.map(|fit| fit.coefficients().len()), [7, 13, 7, 4, 13], "of the degrees asked for");
     }
 
     /// Whether a degree serves a picture of so many levels.

@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 use glam::DVec3;
 
 use super::ShadingPoint;
-use crate::math::chebyshev::ChebyshevLobe;
+use crate::math::chebyshev::{ChebyshevLobe, Fits};
 
 /// A model of specular reflection: the reflected radiance is k_s·∫ L(ω) ρ(ω) dω over ω·n > 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,7 +25,7 @@ enum Model {
 pub struct Lobe {
     model: Model,
     exponent: f64,
-    chebyshev: ChebyshevLobe,
+    fits: Fits,
 }
 
 /// Beckmann's distribution is a mirror's at 0; below this slope the lobe is narrower than methods resolve.
@@ -68,8 +68,7 @@ impl Lobe {
     }
 
     fn of_model(model: Model, exponent: f64) -> Self {
-        let chebyshev = ChebyshevLobe::new(exponent.max(1.0), 6, 256);
-        Self { model, exponent, chebyshev }
+        Self { model, exponent, fits: Fits::default() }
     }
 
     /// The exponent m of a cosine lobe; of Cook and Torrance's, that of the cosine lobe that is most like it.
@@ -87,9 +86,9 @@ impl Lobe {
         }
     }
 
-    /// The fit of cosᵐ that the method `chebyshev` uses.
-    pub fn chebyshev(&self) -> &ChebyshevLobe {
-        &self.chebyshev
+    /// The fit of cosᵐ that the method `chebyshev` uses, made when it is first asked for and then kept.
+    pub fn chebyshev(&self, degree: u32, levels: u32) -> &ChebyshevLobe {
+        self.fits.get(self.exponent.max(1.0), degree, levels)
     }
 
     /// (m+1)/(2π), which makes a cosine lobe's integral over its hemisphere 1 ([`crate::refs::SNYDER_1996`], eq. 10).

@@ -1,6 +1,7 @@
 //! The ways in which a light answers a shading point.
 
 use std::fmt;
+use std::ops::RangeInclusive;
 use std::str::FromStr;
 
 use crate::light::Shape;
@@ -13,7 +14,12 @@ pub enum Method {
     #[default]
     Exact,
     /// Lobe along a line replaced by a Chebyshev polynomial ([`crate::refs::POULIN_AMANATIDES_1990`], §4.1).
-    Chebyshev,
+    Chebyshev {
+        /// Of the polynomial.
+        degree: u32,
+        /// The lobe is cut where it is below one of so many grey levels.
+        levels: u32,
+    },
     /// Specular from the light's point of least angle to the mirror direction ([`crate::refs::PICOTT_1992`], §2.2, §3.2).
     NearestPoint,
     /// Cubic Hermite fit with one segment ([`crate::refs::SNYDER_1996`], §2.2).
@@ -40,11 +46,20 @@ const DEFAULT_CLUSTER: u32 = 16;
 /// A method name that is none.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error(
-    "unknown method `{0}`: use exact, chebyshev, nearest-point, hermite-1, hermite-2, one-shot, one-shot-square, one-shot-sized, point-cluster[-N], point or reference"
+    "unknown method `{0}`: use exact, chebyshev[-DEGREE[-LEVELS]], nearest-point, hermite-1, hermite-2, one-shot, one-shot-square, one-shot-sized, point-cluster[-N], point or reference"
 )]
 pub struct UnknownMethod(String);
 
 impl Method {
+    /// The paper's own degree and levels.
+    pub const CHEBYSHEV: Self = Self::Chebyshev { degree: 6, levels: 256 };
+
+    /// Degrees of Chebyshev fits; the preview's lobes have room for the coefficients of the last.
+    const DEGREES: RangeInclusive<u32> = 1..=15;
+
+    /// Grey levels at which lobes are cut, up to what f32 tells apart.
+    const LEVELS: RangeInclusive<u32> = 2..=1 << 24;
+
     /// The methods of a light shape, `exact` first, then its approximations, `point` and `reference`.
     pub fn of(shape: &Shape) -> &'static [Self] {
         const CLUSTER: Method = Method::PointCluster(DEFAULT_CLUSTER);
@@ -60,7 +75,7 @@ impl Method {
                 Self::Reference,
             ],
             Shape::Line(_) => {
-                &[Self::Exact, Self::Chebyshev, Self::NearestPoint, CLUSTER, Self::Point, Self::Reference]
+                &[Self::Exact, Self::CHEBYSHEV, Self::NearestPoint, CLUSTER, Self::Point, Self::Reference]
             }
             Shape::Sphere(_) => &[Self::Exact, Self::Hermite1, Self::Hermite2, CLUSTER, Self::Point, Self::Reference],
             Shape::Cap(_) => &[Self::Exact, Self::Hermite1, Self::Hermite2, CLUSTER, Self::Point, Self::Reference],
@@ -88,7 +103,7 @@ impl Method {
     pub fn first_approximation(shape: &Shape) -> Self {
         match shape {
             Shape::Polygon(_) => Self::NearestPoint,
-            Shape::Line(_) => Self::Chebyshev,
+            Shape::Line(_) => Self::CHEBYSHEV,
             Shape::Sphere(_) | Shape::Cap(_) => Self::Hermite1,
             Shape::Disk(_) | Shape::Textured(_) => Self::OneShot,
             Shape::Sky(_) | Shape::Point(_) | Shape::Directional(_) => Self::Exact,
@@ -96,11 +111,25 @@ impl Method {
     }
 }
 
+/// The method of a name that has numbers in it.
+fn with_numbers(name: &str) -> Option<Method> {
+    if let Some(numbers) = name.strip_prefix("chebyshev-") {
+        let (degree, levels) = numbers.split_once('-').unwrap_or((numbers, "256"));
+        let (degree, levels) = (degree.parse().ok()?, levels.parse().ok()?);
+        let fits = Method::DEGREES.contains(&degree) && Method::LEVELS.contains(&levels);
+        return fits.then_some(Method::Chebyshev { degree, levels });
+    }
+    let points = name.strip_prefix("point-cluster-")?.parse().ok()?;
+    (points > 0).then_some(Method::PointCluster(points))
+}
+
 impl fmt::Display for Method {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
+        match *self {
             Self::Exact => f.pad("exact"),
-            Self::Chebyshev => f.pad("chebyshev"),
+            Self::CHEBYSHEV => f.pad("chebyshev"),
+            Self::Chebyshev { degree, levels: 256 } => f.pad(&format!("chebyshev-{degree}")),
+            Self::Chebyshev { degree, levels } => f.pad(&format!("chebyshev-{degree}-{levels}")),
             Self::NearestPoint => f.pad("nearest-point"),
             Self::Hermite1 => f.pad("hermite-1"),
             Self::Hermite2 => f.pad("hermite-2"),
@@ -121,7 +150,7 @@ impl FromStr for Method {
     fn from_str(name: &str) -> Result<Self, UnknownMethod> {
         Ok(match name {
             "exact" => Self::Exact,
-            "chebyshev" => Self::Chebyshev,
+            "chebyshev" => Self::CHEBYSHEV,
             "nearest-point" => Self::NearestPoint,
             "hermite-1" => Self::Hermite1,
             "hermite-2" => Self::Hermite2,
@@ -131,10 +160,25 @@ impl FromStr for Method {
             "point-cluster" => Self::PointCluster(DEFAULT_CLUSTER),
             "point" => Self::Point,
             "reference" => Self::Reference,
-            _ => match name.strip_prefix("point-cluster-").and_then(|n| n.parse().ok()) {
-                Some(points) if points > 0 => Self::PointCluster(points),
-                _ => return Err(UnknownMethod(name.to_owned())),
-            },
+            _ => with_numbers(name).ok_or_else(|| UnknownMethod(name.to_owned()))?,
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_with_numbers_are_read_as_they_are_written() {
+        for name in ["chebyshev", "chebyshev-8", "chebyshev-12-65536", "point-cluster", "point-cluster-3"] {
+            let method: Method = name.parse().expect("a method");
+            assert_eq!(method.to_string(), name, "as it was written");
+        }
+        assert_eq!("chebyshev-6-256".parse(), Ok(Method::CHEBYSHEV), "the usual one");
+        for name in ["chebyshev-0", "chebyshev-16", "chebyshev-6-1", "chebyshev--6", "chebyshev-6-", "point-cluster-0"]
+        {
+            assert!(name.parse::<Method>().is_err(), "{name} is none");
+        }
     }
 }

@@ -79,7 +79,7 @@ fn chebyshev_is_within_the_papers_bound() {
         let v = 2.0 * n.dot(r) * n - r;
         let at = ShadingPoint { p: DVec3::ZERO, n, v };
         let [exact, fit] =
-            [Method::Exact, Method::Chebyshev].map(|method| respond(&light, method, &at, &lobe).specular);
+            [Method::Exact, Method::CHEBYSHEV].map(|method| respond(&light, method, &at, &lobe).specular);
         let (a, b) = (light.a, light.b);
         let seen = angle_between(a, b) * light.length() / a.cross(b).length();
         worst = worst.max((fit - exact).abs() / (lobe.normalisation() * seen));
@@ -166,7 +166,7 @@ fn a_tube_sends_out_its_flux_and_an_endless_one_gives_pi_radius_over_distance() 
 #[test]
 fn a_tube_seen_end_on_is_dark() {
     let light = LineEmitter { a: DVec3::X, b: 2.0 * DVec3::X, falloff: 2.0, tube: Some(0.01) };
-    for method in [Method::Exact, Method::Chebyshev, Method::NearestPoint, Method::Point, Method::PointCluster(16)] {
+    for method in [Method::Exact, Method::CHEBYSHEV, Method::NearestPoint, Method::Point, Method::PointCluster(16)] {
         let at = ShadingPoint { p: DVec3::ZERO, n: DVec3::X, v: DVec3::X };
         let response = respond(&light, method, &at, &PhongLobe::new(20.5));
         assert_eq!((response.irradiance, response.specular), (0.0, 0.0), "{method}");

@@ -188,7 +188,7 @@ fn tilting_a_surface_makes_no_jumps() {
         scene.lobe = PhongLobe::new(random.magnitude(1.0, 30.0));
         let [irradiance, _] = scene.bounds();
         let (x, y) = (scene.at.n, scene.at.n.any_orthonormal_vector());
-        for method in [Method::Exact, Method::Hermite1, Method::Hermite2, Method::Chebyshev] {
+        for method in [Method::Exact, Method::Hermite1, Method::Hermite2, Method::CHEBYSHEV] {
             let mut before: Option<f64> = None;
             for i in 0..=STEPS {
                 let (sin, cos) = (TAU * f64::from(i) / f64::from(STEPS)).sin_cos();

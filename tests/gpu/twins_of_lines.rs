@@ -55,10 +55,10 @@ impl Inputs {
         respond(&self.light, method, &ShadingPoint { p: DVec3::ZERO, n, v }, lobe).specular
     }
 
-    fn chebyshev(&self) -> Case {
+    fn chebyshev(&self, method: Method) -> Case {
         let lobe = PhongLobe::new(self.m);
-        let expected = self.specular(Method::Chebyshev, &lobe) / lobe.normalisation();
-        Case { row: self.row().vector(self.r).lobe(lobe), expected, scale: line_scale(&self.light) }
+        let expected = self.specular(method, &lobe) / lobe.normalisation();
+        Case { row: self.row().vector(self.r).lobe(lobe).method(method), expected, scale: line_scale(&self.light) }
     }
 
     fn nearest_point(&self) -> Case {
@@ -97,8 +97,11 @@ fn phong_integral_of_a_line_matches() {
 }
 
 #[test]
-fn chebyshev_fit_along_a_line_matches() {
-    let cases: Vec<_> = phong_inputs(13).iter().map(Inputs::chebyshev).collect();
+fn chebyshev_fits_along_a_line_match() {
+    let fits = [(6, 256), (6, 256), (3, 64), (7, 1024), (12, 65536)];
+    let fits = fits.map(|(degree, levels)| Method::Chebyshev { degree, levels });
+    let inputs = phong_inputs(13);
+    let cases: Vec<_> = inputs.iter().zip(fits.iter().cycle()).map(|(inputs, fit)| inputs.chebyshev(*fit)).collect();
     check(&twin::LINE_CHEBYSHEV, ("2.0 * min(abs(t), 1.0)", "2.001 * min(abs(t), 1.0)"), &cases);
 }
 

@@ -254,7 +254,7 @@ impl Check {
         match (emitter, self.part) {
             (Emitter::Polygon(_), Part::Specular) => &[Method::Exact, Method::NearestPoint, CLUSTER, Method::Point],
             (Emitter::Line(_), Part::Specular) => {
-                &[Method::Exact, Method::Chebyshev, Method::NearestPoint, CLUSTER, Method::Point]
+                &[Method::Exact, Method::CHEBYSHEV, Method::NearestPoint, CLUSTER, Method::Point]
             }
             (Emitter::Sphere(_), Part::Irradiance) => {
                 &[Method::Exact, Method::Hermite1, Method::Hermite2, CLUSTER, Method::Point]

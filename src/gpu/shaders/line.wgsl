@@ -23,8 +23,15 @@ fn line_respond_exact(at: Shading) -> Response {
 }
 
 fn line_respond_chebyshev(at: Shading) -> Response {
-    let line = line_seen(at);
-    let specular = line_chebyshev_plain(line, at.r, at.lobe);
+    return line_respond_fit(at, SHORT_FIT);
+}
+
+fn line_respond_chebyshev_long(at: Shading) -> Response {
+    return line_respond_fit(at, LONG_FIT);
+}
+
+fn line_respond_fit(at: Shading, quads: u32) -> Response {
+    let specular = line_chebyshev_plain(line_seen(at), at.r, at.lobe, quads);
     let irradiance = line_irradiance_plain(line_light.a - at.p, line_light.b - at.p, at.n);
     return Response(irradiance, lobe_normalization(lobes[at.lobe].exponent) * specular);
 }
@@ -91,7 +98,7 @@ fn line_phong(a: vec3f, b: vec3f, n: vec3f, r: vec3f, falloff: f32, diameter: f3
 fn line_chebyshev(a: vec3f, b: vec3f, n: vec3f, r: vec3f, falloff: f32, diameter: f32, lobe_index: u32) -> f32 {
     let line = line_above(line_frame(a, b), n);
     if falloff == 2.0 && diameter == 0.0 {
-        return line_chebyshev_plain(line, r, lobe_index);
+        return line_chebyshev_plain(line, r, lobe_index, LONG_FIT);
     }
     let decay = line_decay(line, falloff, diameter);
     return decay.gain * line_chebyshev_of(line, r, decay.falloff, lobe_index);
@@ -456,12 +463,13 @@ fn line_attenuation(r: f32, falloff: f32) -> f32 {
     return power(r, 1.0 - falloff);
 }
 
-// How many fours of coefficients a fit has at most.
-const CHEBYSHEV_QUADS = 4u;
+// How many fours of coefficients a fit has: those of the usual degrees, up to 7, and of any.
+const SHORT_FIT = 2u;
+const LONG_FIT = 4u;
 
 // `line_phong_plain` with cosᵐφ replaced by the lobe's Chebyshev fit. A line that is seen under less than a thousandth of
 // the lobe's width fades to the lobe's value in the middle.
-fn line_chebyshev_plain(line: LineFrame, r: vec3f, lobe_index: u32) -> f32 {
+fn line_chebyshev_plain(line: LineFrame, r: vec3f, lobe_index: u32, quads: u32) -> f32 {
     let lit = line_above(line, r);
     let m = lobes[lobe_index].exponent;
     let lobe = line_lobe(lit, r);
@@ -469,14 +477,14 @@ fn line_chebyshev_plain(line: LineFrame, r: vec3f, lobe_index: u32) -> f32 {
     let inverse_cut = 1.0 / lobes[lobe_index].chebyshev_cut;
     let t_a = arctangent(angles.a.x, angles.a.y) * inverse_cut;
     let t_b = arctangent(angles.b.x, angles.b.y) * inverse_cut;
-    let between = chebyshev_integral(lobe_index, t_b) - chebyshev_integral(lobe_index, t_a);
+    let between = chebyshev_integral(lobe_index, quads, t_b) - chebyshev_integral(lobe_index, quads, t_a);
     let middle = line_middle(angles.a, angles.b);
     let peak = exp(0.5 * m * log_one_plus(-min(middle.x * middle.x, 0.9999999)));
     // Gauss–Legendre with 2 nodes, where the difference of the integrals would cancel.
     let width = angles.sine * inverse_cut;
     let t = 0.5 * (t_a + t_b);
     let node = 0.28867513459481288225 * width;
-    let value = max(0.5 * (chebyshev_value(lobe_index, t - node) + chebyshev_value(lobe_index, t + node)), 0.0);
+    let value = max(0.5 * (chebyshev_value(lobe_index, quads, t - node) + chebyshev_value(lobe_index, quads, t + node)), 0.0);
     let narrow = angles.narrow * mix(peak, value, min(1e3 * width, 1.0));
     let is_whole = max(abs(t_a), abs(t_b)) < 1.0 || width < 1e-3;
     let is_narrow = angles.is_below_right_angle && width < 0.02 && is_whole;
@@ -507,10 +515,10 @@ fn line_chebyshev_of(line: LineFrame, r: vec3f, falloff: f32, lobe_index: u32) -
 }
 
 // The fit's integral from 0 to t·cut.
-fn chebyshev_integral(lobe_index: u32, t: f32) -> f32 {
+fn chebyshev_integral(lobe_index: u32, quads: u32, t: f32) -> f32 {
     let x = 2.0 * min(abs(t), 1.0) - 1.0;
     var sum = 0.0;
-    for (var i = CHEBYSHEV_QUADS; i > 0u; i--) {
+    for (var i = quads; i > 0u; i--) {
         let c = lobes[lobe_index].chebyshev_mean[i - 1u];
         sum = (((sum * x + c.w) * x + c.z) * x + c.y) * x + c.x;
     }
@@ -518,10 +526,10 @@ fn chebyshev_integral(lobe_index: u32, t: f32) -> f32 {
 }
 
 // The fit at t·cut.
-fn chebyshev_value(lobe_index: u32, t: f32) -> f32 {
+fn chebyshev_value(lobe_index: u32, quads: u32, t: f32) -> f32 {
     let x = 2.0 * abs(t) - 1.0;
     var sum = 0.0;
-    for (var i = CHEBYSHEV_QUADS; i > 0u; i--) {
+    for (var i = quads; i > 0u; i--) {
         let c = lobes[lobe_index].chebyshev[i - 1u];
         sum = (((sum * x + c.w) * x + c.z) * x + c.y) * x + c.x;
     }
@@ -547,7 +555,7 @@ fn line_chebyshev_sum(line: LineFrame, lobe: LineLobe, falloff: f32, lobe_index:
             let down = path.beta / growth;
             let s = up - down;
             let phi = arctangent(lobe.toward * s - lobe.along * line.d, lobe.toward * line.d + lobe.along * s);
-            sum += node.y * chebyshev_value(lobe_index, phi * inverse_cut) * line_attenuation(up + down, falloff);
+            sum += node.y * chebyshev_value(lobe_index, LONG_FIT, phi * inverse_cut) * line_attenuation(up + down, falloff);
         }
     }
     return half * sum;

@@ -36,16 +36,42 @@ fn sphere_specular(at: Shading, to_center: vec3f) -> f32 {
     return sphere_phong(to_center, sphere_light.radius, at.n, at.r, lobes[at.lobe].exponent);
 }
 
+// A sphere that the horizon does not cut is as a point light; the loops run once or not at all, which software
+// rasterisers, unlike a condition, take as leave to skip.
 fn sphere_irradiance(to_center: vec3f, radius: f32, n: vec3f) -> f32 {
-    return cap_irradiance(cap_of_sphere(to_center, radius, n), n);
+    var irradiance = sphere_irradiance_uncut(to_center, radius, n);
+    for (var is_cut = sphere_is_cut(to_center, radius, n); is_cut; is_cut = false) {
+        irradiance = cap_irradiance(cap_of_sphere(to_center, radius, n), n);
+    }
+    return irradiance;
 }
 
 fn sphere_irradiance_hermite_1(to_center: vec3f, radius: f32, n: vec3f) -> f32 {
-    return cap_irradiance_hermite(cap_of_sphere(to_center, radius, n), n, false);
+    var irradiance = sphere_irradiance_uncut(to_center, radius, n);
+    for (var is_cut = sphere_is_cut(to_center, radius, n); is_cut; is_cut = false) {
+        irradiance = cap_irradiance_hermite(cap_of_sphere(to_center, radius, n), n, false);
+    }
+    return irradiance;
 }
 
 fn sphere_irradiance_hermite_2(to_center: vec3f, radius: f32, n: vec3f) -> f32 {
-    return cap_irradiance_hermite(cap_of_sphere(to_center, radius, n), n, true);
+    var irradiance = sphere_irradiance_uncut(to_center, radius, n);
+    for (var is_cut = sphere_is_cut(to_center, radius, n); is_cut; is_cut = false) {
+        irradiance = cap_irradiance_hermite(cap_of_sphere(to_center, radius, n), n, true);
+    }
+    return irradiance;
+}
+
+// Of a sphere wholly above or below the surface's plane.
+fn sphere_irradiance_uncut(to_center: vec3f, radius: f32, n: vec3f) -> f32 {
+    let inverse = inverseSqrt(max(dot(to_center, to_center), 1e-30));
+    let sine = radius * inverse;
+    return PI * sine * sine * max(dot(n, to_center) * inverse, 0.0);
+}
+
+// Or p may be inside.
+fn sphere_is_cut(to_center: vec3f, radius: f32, n: vec3f) -> bool {
+    return abs(dot(n, to_center)) <= radius || dot(to_center, to_center) <= 1.0001 * radius * radius;
 }
 
 fn sphere_phong(to_center: vec3f, radius: f32, n: vec3f, r: vec3f, m: f32) -> f32 {

@@ -30,7 +30,10 @@ pub fn respond(light: &LineEmitter, method: Method, at: &ShadingPoint, lobe: &Ph
     let r = at.mirror();
     let Decay { gain, falloff } = Decay::of(light, &visible);
     let specular = match method {
-        Method::Chebyshev => lobe.normalisation() * gain * visible.chebyshev(r, falloff, lobe),
+        Method::Chebyshev { degree, levels } => {
+            let fit = lobe.chebyshev(degree, levels);
+            lobe.normalisation() * gain * visible.chebyshev(r, falloff, lobe.exponent(), fit)
+        }
         Method::NearestPoint => {
             let nearest = visible.nearest(r);
             let intensity = light.length() * light.intensity_along(nearest);

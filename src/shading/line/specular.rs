@@ -5,7 +5,6 @@ use glam::DVec3;
 use super::frame::{LineFrame, Path};
 use crate::math::chebyshev::ChebyshevLobe;
 use crate::math::special::{cosine_power_mean, panels, refined_panels};
-use crate::shading::PhongLobe;
 
 impl LineFrame {
     /// ∫ max(0, r·w)ᵐ/rᶠ ds; see [`super::line_phong`].
@@ -27,10 +26,8 @@ impl LineFrame {
     ///
     /// **Source:** [`crate::refs::POULIN_AMANATIDES_1990`], §4.1. **Method error:** at most 0.001 of ∫ ds/r² for m in
     /// 1…1000 (`closed_form::line`).
-    pub(super) fn chebyshev(&self, r: DVec3, falloff: f64, lobe: &PhongLobe) -> f64 {
+    pub(super) fn chebyshev(&self, r: DVec3, falloff: f64, m: f64, fit: &ChebyshevLobe) -> f64 {
         let Some(lit) = self.above(r) else { return 0.0 };
-        let fit = lobe.chebyshev();
-        let m = lobe.exponent();
         let seen = lit.projected(r);
         let (from, to) = (seen.angle_at(&lit, lit.a), seen.angle_at(&lit, lit.b));
         let trust = (to - from) / (1e-3 * fit.cut());
