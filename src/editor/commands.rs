@@ -46,6 +46,8 @@ pub enum Command {
     SelectNone,
     /// Add a light of a shape.
     AddLight(LightKind),
+    /// Give the light of that name another pattern.
+    ReplacePattern(String),
     /// Add the lights of a preset.
     InsertPreset(Preset),
     /// Add a surface.
@@ -85,6 +87,8 @@ pub enum Command {
 pub enum LightKind {
     /// A square.
     Polygon,
+    /// A rectangle with a pattern.
+    Textured,
     /// A line.
     Line,
     /// A disk.
@@ -122,14 +126,53 @@ pub enum SurfaceKind {
 
 impl LightKind {
     /// All of them, in menu order.
-    pub const ALL: [Self; 8] =
-        [Self::Polygon, Self::Disk, Self::Line, Self::Sphere, Self::Sky, Self::Cap, Self::Point, Self::Directional];
+    pub const ALL: [Self; 9] = [
+        Self::Polygon,
+        Self::Disk,
+        Self::Textured,
+        Self::Line,
+        Self::Sphere,
+        Self::Sky,
+        Self::Cap,
+        Self::Point,
+        Self::Directional,
+    ];
+
+    /// The kind of a light's shape.
+    pub fn of(shape: &light::Shape) -> Self {
+        match shape {
+            light::Shape::Polygon(_) => Self::Polygon,
+            light::Shape::Disk(_) => Self::Disk,
+            light::Shape::Textured(_) => Self::Textured,
+            light::Shape::Line(_) => Self::Line,
+            light::Shape::Sphere(_) => Self::Sphere,
+            light::Shape::Sky(_) => Self::Sky,
+            light::Shape::Cap(_) => Self::Cap,
+            light::Shape::Point(_) => Self::Point,
+            light::Shape::Directional(_) => Self::Directional,
+        }
+    }
+
+    fn label(self) -> &'static str {
+        match self {
+            Self::Polygon => "Polygon",
+            Self::Disk => "Disk",
+            Self::Textured => "Textured…",
+            Self::Line => "Line",
+            Self::Sphere => "Sphere",
+            Self::Sky => "Sky",
+            Self::Cap => "Cap",
+            Self::Point => "Point",
+            Self::Directional => "Directional",
+        }
+    }
 
     /// What it is, for who does not know it by its name.
     pub fn hint(self) -> &'static str {
         match self {
             Self::Polygon => "A flat light of any outline, such as a window or a softbox",
             Self::Disk => "A flat round light, such as a downlight or a porthole",
+            Self::Textured => "A rectangle with a picture as its pattern: any outline, any distribution",
             Self::Line => "A linear light, such as a fluorescent tube",
             Self::Sphere => "A ball of light, such as a globe lamp",
             Self::Sky => "A hemisphere of light infinitely far away: uniform, cosine or overcast",
@@ -139,8 +182,10 @@ impl LightKind {
         }
     }
 
-    fn shape(self) -> light::Shape {
-        match self {
+    /// The shape that a new light of this kind has; none where a file has to be chosen first.
+    fn shape(self) -> Option<light::Shape> {
+        Some(match self {
+            Self::Textured => return None,
             Self::Polygon => light::Shape::Polygon(edits::rectangle(1.0, 1.0)),
             Self::Disk => light::Shape::Disk(Disk { radius: 0.4, two_sided: false }),
             Self::Cap => light::Shape::Cap(Cap { half_angle_deg: 15.0 }),
@@ -149,7 +194,7 @@ impl LightKind {
             Self::Sphere => light::Shape::Sphere(Sphere { radius: 0.2 }),
             Self::Point => light::Shape::Point(Point {}),
             Self::Directional => light::Shape::Directional(Directional {}),
-        }
+        })
     }
 }
 
@@ -215,7 +260,7 @@ impl Command {
             Self::Redo => with("Redo", session.history.redo_label()),
             Self::OpenFile(path) => path.display().to_string(),
             Self::OpenExample(preset) | Self::InsertPreset(preset) => preset.title(),
-            Self::AddLight(kind) => upper_first(kind.shape().name()),
+            Self::AddLight(kind) => kind.label().to_owned(),
             Self::AddSurface(kind) => upper_first(kind.shape().name()),
             Self::AddPlot(kind) => upper_first(edits::kind_name(*kind)),
             Self::Method(method) => method.to_string(),
@@ -237,6 +282,7 @@ impl Command {
             Self::SelectAll => "Select all",
             Self::SelectNone => "Select none",
             Self::AddMaterial => "Material",
+            Self::ReplacePattern(_) => "Replace…",
             Self::Tool(Tool::Move) => "Move",
             Self::Tool(Tool::Rotate) => "Rotate",
             Self::Tool(Tool::Scale) => "Scale",
@@ -343,7 +389,11 @@ impl Command {
                 session.selection.set(surfaces.chain(lights));
             }
             Self::SelectNone => session.selection.clear(),
-            Self::AddLight(kind) => session.add_light(edits::new_light(kind.shape())),
+            Self::AddLight(kind) => match kind.shape() {
+                Some(shape) => session.add_light(edits::new_light(shape)),
+                None => app.choose_pattern(ctx, None),
+            },
+            Self::ReplacePattern(light) => app.choose_pattern(ctx, Some(light)),
             Self::InsertPreset(preset) => app.insert_preset(preset),
             Self::AddSurface(kind) => session.add_surface(kind.shape()),
             Self::AddMaterial => session.add_material(),
@@ -413,7 +463,7 @@ mod tests {
     #[test]
     fn the_view_offers_the_methods_of_the_scenes_lights_from_exact_to_point() {
         assert_eq!(view_methods(&Scene::default()), [Method::Exact], "an empty scene");
-        let lights = vec![edits::new_light(LightKind::Sphere.shape())];
+        let lights = LightKind::Sphere.shape().map(edits::new_light).into_iter().collect();
         let methods = view_methods(&Scene { lights, ..Scene::default() });
         assert_eq!(methods.first(), Some(&Method::Exact), "first");
         assert_eq!(methods.last(), Some(&Method::Point), "last");

@@ -3,10 +3,25 @@
 use std::collections::VecDeque;
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
+use std::time::{Duration, Instant};
+
+/// What came of a dialog.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Reply {
+    /// This file was chosen.
+    Chosen(PathBuf),
+    /// The user changed their mind.
+    Cancelled,
+    /// No dialog was shown: the desktop has none.
+    Unavailable,
+}
 
 /// A dialog that may still be open.
 #[derive(Debug)]
-pub struct Answer(Receiver<Option<PathBuf>>);
+pub struct Answer(Receiver<Reply>);
+
+/// A dialog that comes back without a file in less time than this was not shown: nobody cancels so fast.
+const LEAST_TIME: Duration = Duration::from_millis(150);
 
 /// Asks the user for files, without holding up the window.
 pub trait Dialogs {
@@ -15,6 +30,9 @@ pub trait Dialogs {
 
     /// Where to save a scene that would be called `name`.
     fn save_scene(&mut self, ctx: &egui::Context, folder: Option<&Path>, name: &str) -> Answer;
+
+    /// Which picture to use as a pattern.
+    fn open_picture(&mut self, ctx: &egui::Context, folder: Option<&Path>) -> Answer;
 }
 
 /// The desktop's own dialogs.
@@ -25,31 +43,34 @@ pub struct Native;
 #[derive(Clone, Debug, Default)]
 pub struct Scripted {
     /// What the next dialogs are answered.
-    pub answers: VecDeque<Option<PathBuf>>,
+    pub answers: VecDeque<Reply>,
 }
 
 impl Answer {
     /// An answer that is already there.
-    pub fn ready(path: Option<PathBuf>) -> Self {
+    pub fn ready(reply: Reply) -> Self {
         let (sender, receiver) = channel();
         // The receiver is alive: it is returned.
-        let _ = sender.send(path);
+        let _ = sender.send(reply);
         Self(receiver)
     }
 
-    /// `None` while the dialog is open, then what was chosen: nothing, when it was cancelled.
-    pub fn poll(&self) -> Option<Option<PathBuf>> {
+    /// `None` while the dialog is open, then what came of it.
+    pub fn poll(&self) -> Option<Reply> {
         match self.0.try_recv() {
-            Ok(path) => Some(path),
+            Ok(reply) => Some(reply),
             Err(TryRecvError::Empty) => None,
-            Err(TryRecvError::Disconnected) => Some(None),
+            Err(TryRecvError::Disconnected) => Some(Reply::Unavailable),
         }
     }
 }
 
 impl Native {
-    fn dialog(folder: Option<&Path>) -> rfd::AsyncFileDialog {
-        let dialog = rfd::AsyncFileDialog::new().add_filter("Softbox scene", &["toml"]);
+    fn scenes(folder: Option<&Path>) -> rfd::AsyncFileDialog {
+        Self::start(rfd::AsyncFileDialog::new().add_filter("Softbox scene", &["toml"]), folder)
+    }
+
+    fn start(dialog: rfd::AsyncFileDialog, folder: Option<&Path>) -> rfd::AsyncFileDialog {
         match folder {
             Some(folder) => dialog.set_directory(folder),
             None => dialog,
@@ -61,8 +82,13 @@ impl Native {
         let (sender, receiver) = channel();
         let ctx = ctx.clone();
         std::thread::spawn(move || {
-            let chosen = pollster::block_on(dialog).map(|file| file.path().to_path_buf());
-            if sender.send(chosen).is_ok() {
+            let shown = Instant::now();
+            let reply = match pollster::block_on(dialog) {
+                Some(file) => Reply::Chosen(file.path().to_path_buf()),
+                None if shown.elapsed() < LEAST_TIME => Reply::Unavailable,
+                None => Reply::Cancelled,
+            };
+            if sender.send(reply).is_ok() {
                 ctx.request_repaint();
             }
         });
@@ -72,20 +98,35 @@ impl Native {
 
 impl Dialogs for Native {
     fn open_scene(&mut self, ctx: &egui::Context, folder: Option<&Path>) -> Answer {
-        Self::wait(ctx, Self::dialog(folder).set_title("Open scene").pick_file())
+        Self::wait(ctx, Self::scenes(folder).set_title("Open scene").pick_file())
     }
 
     fn save_scene(&mut self, ctx: &egui::Context, folder: Option<&Path>, name: &str) -> Answer {
-        Self::wait(ctx, Self::dialog(folder).set_title("Save scene").set_file_name(name).save_file())
+        Self::wait(ctx, Self::scenes(folder).set_title("Save scene").set_file_name(name).save_file())
+    }
+
+    fn open_picture(&mut self, ctx: &egui::Context, folder: Option<&Path>) -> Answer {
+        let pictures = rfd::AsyncFileDialog::new().add_filter("Picture", &["png", "jpg", "jpeg", "exr", "hdr"]);
+        Self::wait(ctx, Self::start(pictures, folder).set_title("Choose a pattern").pick_file())
+    }
+}
+
+impl Scripted {
+    fn next(&mut self) -> Answer {
+        Answer::ready(self.answers.pop_front().unwrap_or(Reply::Cancelled))
     }
 }
 
 impl Dialogs for Scripted {
     fn open_scene(&mut self, _ctx: &egui::Context, _folder: Option<&Path>) -> Answer {
-        Answer::ready(self.answers.pop_front().flatten())
+        self.next()
     }
 
     fn save_scene(&mut self, _ctx: &egui::Context, _folder: Option<&Path>, _name: &str) -> Answer {
-        Answer::ready(self.answers.pop_front().flatten())
+        self.next()
+    }
+
+    fn open_picture(&mut self, _ctx: &egui::Context, _folder: Option<&Path>) -> Answer {
+        self.next()
     }
 }

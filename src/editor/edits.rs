@@ -1,11 +1,13 @@
 //! Changes to the document that are more than a number: add, duplicate, delete, rename, insert.
 
 use std::collections::BTreeSet;
+use std::path::Path;
 
 use glam::{DVec2, DVec3};
 
 use super::session::{Item, Session};
-use crate::light::{Light, Polygon, Shape};
+use crate::light::pattern::Pattern;
+use crate::light::{Light, Polygon, Shape, Textured};
 use crate::scene::{self, Plot, PlotKind, PlotQuantity, Scene};
 use crate::surface::{self, Material, ReflectionModel, Surface};
 
@@ -17,9 +19,21 @@ impl Session {
     pub fn add_light(&mut self, mut light: Light) {
         let label = format!("Add {}", light.shape.name());
         light.name = unique_name(self.scene().lights.iter().map(|other| &other.name), &light.name);
+        scene::keep_apart(&mut light, &self.scene().lights);
         let index = self.scene().lights.len();
         self.edit(&label, |scene| scene.lights.push(light));
         self.selection.set([Item::Light(index)]);
+    }
+
+    /// Give the light of that name another pattern.
+    pub fn replace_pattern(&mut self, name: &str, pattern: Pattern) {
+        let Some(index) = self.scene().lights.iter().position(|light| light.name == name) else { return };
+        let mut light = self.scene().lights[index].clone();
+        let Shape::Textured(textured) = &mut light.shape else { return };
+        textured.pattern = pattern;
+        let others: Vec<Light> = self.scene().lights.iter().filter(|other| other.name != name).cloned().collect();
+        scene::keep_apart(&mut light, &others);
+        self.edit("Replace pattern", |scene| scene.lights[index] = light);
     }
 
     /// Add a surface, with a material where the scene has none, and select it.
@@ -140,6 +154,16 @@ impl Item {
 /// A light of that shape above the origin, of an everyday strength.
 pub(super) fn new_light(shape: Shape) -> Light {
     Light { position: DVec3::new(0.0, 0.0, 2.0), ..Light::new(shape.name(), shape) }
+}
+
+/// A light with a pattern, its longer side 1 m, called after the pattern's file.
+pub(super) fn textured(pattern: Pattern) -> Light {
+    let name = Path::new(&pattern.file).file_stem().unwrap_or_default().to_string_lossy().into_owned();
+    let channel = &pattern.image.channels()[0];
+    let texels = DVec2::new(channel.width() as f64, channel.height() as f64);
+    let size = texels / texels.max_element();
+    let light = new_light(Shape::Textured(Textured { size, pattern, two_sided: false }));
+    Light { name, ..light }
 }
 
 /// A rectangle about the origin.

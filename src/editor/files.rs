@@ -3,7 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use super::app::App;
-use super::dialogs::Answer;
+use super::dialogs::{Answer, Reply};
+use super::edits;
 use super::presets::Preset;
 use super::session::{Session, ViewState};
 use crate::scene::{self, Scene};
@@ -45,7 +46,13 @@ enum Purpose {
     Open,
     /// Save, and then go on.
     Save(Option<Then>),
+    /// Add a light with a pattern, or give another pattern to the light of that name.
+    Pattern(Option<String>),
 }
+
+/// What to do where the desktop has no file dialogs.
+const NO_DIALOG: &str = "This desktop shows no file dialog: install xdg-desktop-portal or zenity; scenes can be opened by \
+                         dropping them on the window or from the command line, too";
 
 impl Files {
     /// Nothing under way, and these files opened before.
@@ -132,15 +139,31 @@ impl App {
     /// Take the answer of a dialog, if one has come.
     pub fn poll_dialogs(&mut self, ctx: &egui::Context) {
         let Some((answer, _)) = &self.files.waiting else { return };
-        let Some(chosen) = answer.poll() else { return };
+        let Some(reply) = answer.poll() else { return };
         let Some((_, purpose)) = self.files.waiting.take() else { return };
-        match (chosen, purpose) {
-            (None, _) => {}
-            (Some(path), Purpose::Open) => self.open(&path),
-            (Some(path), Purpose::Save(then)) => {
+        match (reply, purpose) {
+            (Reply::Cancelled, _) => {}
+            (Reply::Unavailable, _) => self.session.failed(NO_DIALOG),
+            (Reply::Chosen(path), Purpose::Open) => self.open(&path),
+            (Reply::Chosen(path), Purpose::Save(then)) => {
                 let path = if path.extension().is_none() { path.with_extension("toml") } else { path };
                 self.write(ctx, &path, then);
             }
+            (Reply::Chosen(path), Purpose::Pattern(light)) => self.use_pattern(&path, light.as_deref()),
+        }
+    }
+
+    /// Ask for a picture: for a new light, or for the light of that name.
+    pub fn choose_pattern(&mut self, ctx: &egui::Context, light: Option<String>) {
+        let answer = self.dialogs.open_picture(ctx, self.folder().as_deref());
+        self.files.waiting = Some((answer, Purpose::Pattern(light)));
+    }
+
+    fn use_pattern(&mut self, path: &Path, light: Option<&str>) {
+        match (scene::import_pattern(path, self.session.path.as_deref()), light) {
+            (Ok(pattern), None) => self.session.add_light(edits::textured(pattern)),
+            (Ok(pattern), Some(name)) => self.session.replace_pattern(name, pattern),
+            (Err(error), _) => self.session.failed(error),
         }
     }
 

@@ -30,6 +30,14 @@ pub const LIGHTS: &[Preset] = &[
     Preset { stem: "bulb", text: include_str!("../../presets/lights/bulb.toml") },
     Preset { stem: "candle", text: include_str!("../../presets/lights/candle.toml") },
     Preset { stem: "sun", text: include_str!("../../presets/lights/sun.toml") },
+    Preset { stem: "downlight", text: include_str!("../../presets/lights/downlight.toml") },
+    Preset { stem: "porthole", text: include_str!("../../presets/lights/porthole.toml") },
+    Preset { stem: "lattice-window", text: include_str!("../../presets/lights/lattice-window.toml") },
+    Preset { stem: "stained-glass", text: include_str!("../../presets/lights/stained-glass.toml") },
+    Preset { stem: "leaf-gobo", text: include_str!("../../presets/lights/leaf-gobo.toml") },
+    Preset { stem: "overcast-sky", text: include_str!("../../presets/lights/overcast-sky.toml") },
+    Preset { stem: "blue-sky", text: include_str!("../../presets/lights/blue-sky.toml") },
+    Preset { stem: "hazy-sun", text: include_str!("../../presets/lights/hazy-sun.toml") },
 ];
 
 /// Example scenes, in menu order.
@@ -45,11 +53,17 @@ pub const SCENES: &[Preset] = &[
     Preset { stem: "three-spheres", text: include_str!("../../presets/scenes/three-spheres.toml") },
     Preset { stem: "line-falloff", text: include_str!("../../presets/scenes/line-falloff.toml") },
     Preset { stem: "patio", text: include_str!("../../presets/scenes/patio.toml") },
+    Preset { stem: "leaf-shade", text: include_str!("../../presets/scenes/leaf-shade.toml") },
+    Preset { stem: "chapel", text: include_str!("../../presets/scenes/chapel.toml") },
+    Preset { stem: "reflections", text: include_str!("../../presets/scenes/reflections.toml") },
 ];
 
 /// The patterns that the presets' lights name.
-const PATTERNS: &[(&str, &[u8])] =
-    &[("textures/lattice.png", include_bytes!("../../presets/scenes/textures/lattice.png"))];
+const PATTERNS: &[(&str, &[u8])] = &[
+    ("textures/lattice.png", include_bytes!("../../presets/scenes/textures/lattice.png")),
+    ("textures/leaves.png", include_bytes!("../../presets/scenes/textures/leaves.png")),
+    ("textures/stained-glass.png", include_bytes!("../../presets/scenes/textures/stained-glass.png")),
+];
 
 /// The contents of a pattern's file.
 fn read_pattern(name: &str) -> io::Result<Vec<u8>> {
@@ -81,7 +95,7 @@ mod tests {
     #[track_caller]
     fn check(presets: &[Preset], folder: &str) {
         let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("presets").join(folder);
-        let mut files: Vec<_> = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
+        let mut files: Vec<_> = std::fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().path()).collect();
         files.sort();
         let mut stems: Vec<_> = presets.iter().map(|preset| preset.stem).collect();
         stems.sort_unstable();
@@ -89,7 +103,9 @@ mod tests {
             files.iter().filter(|file| file.is_file()).filter_map(|file| file.file_stem()?.to_str()).collect();
         assert_eq!(stems, of_files, "the menu has the folder's files");
         for preset in presets {
-            preset.load().unwrap_or_else(|error| panic!("{error}"));
+            let built_in = preset.load().unwrap_or_else(|error| panic!("{error}"));
+            let file = scene::load(folder.join(format!("{}.toml", preset.stem))).expect("the file opens");
+            assert_eq!(built_in, file, "{} with its patterns", preset.stem);
         }
     }
 

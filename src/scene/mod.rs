@@ -18,7 +18,7 @@ pub use camera::{Camera, Display};
 pub use history::History;
 pub use load::{MAX_FILE_BYTES, load, parse, parse_with};
 pub use merge::merge;
-pub use pattern::{MAX_PATTERN_BYTES, MAX_PATTERN_SIZE, keep_apart};
+pub use pattern::{MAX_PATTERN_BYTES, MAX_PATTERN_SIZE, import_pattern, keep_apart};
 pub use plot::{Plot, PlotKind, PlotQuantity};
 pub use problem::{LoadError, Path, Place, Problem, Segment};
 pub use save::{SaveError, replace_file, save, save_as, to_toml};

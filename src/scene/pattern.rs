@@ -85,6 +85,45 @@ fn read_pattern(
     Ok(Pattern { file: name.to_owned(), image, contents: Contents(bytes.into()) })
 }
 
+/// Read a picture from anywhere as a pattern for the scene whose file is `scene`, if it has one.
+///
+/// A file below the scene's folder keeps its place; any other is called `textures/` and its own name, numbered where the
+/// folder has another file of that name, and is put there when the scene is saved. What is wrong with it is one line.
+pub fn import_pattern(path: &Path, scene: Option<&Path>) -> Result<Pattern, String> {
+    let own_name: String = path.file_name().unwrap_or_default().to_string_lossy().replace(char::is_control, " ");
+    let bytes = read_file(folder_of(path), &path.file_name().unwrap_or_default().to_string_lossy())
+        .map_err(|cause| format!("`{own_name}` cannot be read: {cause}"))?;
+    let image = decode(&bytes, &mut { MAX_TEXELS }).map_err(|wrong| format!("`{own_name}` {wrong}"))?;
+    let folder = scene.map(folder_of);
+    let file = folder.and_then(|folder| name_below(folder, path)).unwrap_or_else(|| {
+        let numbered = (1..).map(|number| format!("textures/{}", numbered(Path::new(&own_name), number)));
+        let is_free = |name: &String| match folder.map(|folder| read_file(folder, name)) {
+            None => true,
+            Some(Ok(there)) => there == bytes,
+            Some(Err(error)) => error.kind() == io::ErrorKind::NotFound,
+        };
+        numbered.into_iter().find(is_free).unwrap_or_default()
+    });
+    Ok(Pattern { file, image, contents: Contents(bytes.into()) })
+}
+
+/// The name of a file below `folder`, as scenes write it.
+fn name_below(folder: &Path, path: &Path) -> Option<String> {
+    let (folder, path) = (fs::canonicalize(folder).ok()?, fs::canonicalize(path).ok()?);
+    let parts: Option<Vec<&str>> = path.strip_prefix(folder).ok()?.iter().map(|part| part.to_str()).collect();
+    parts.map(|parts| parts.join("/")).filter(|name| is_inside(name) && !name.contains(char::is_control))
+}
+
+/// `leaf.png`, then `leaf-2.png` and so on.
+fn numbered(file: &Path, number: u32) -> String {
+    if number < 2 {
+        return file.to_string_lossy().into_owned();
+    }
+    let part = |part: Option<&std::ffi::OsStr>| part.unwrap_or_default().to_string_lossy().into_owned();
+    let (stem, extension) = (part(file.file_stem()), part(file.extension()));
+    file.with_file_name(format!("{stem}-{number}")).with_extension(extension).to_string_lossy().into_owned()
+}
+
 /// The bytes of a regular file below `folder` that is not too large, whatever links lead to it.
 pub(super) fn read_file(folder: &Path, name: &str) -> io::Result<Vec<u8>> {
     let path = fs::canonicalize(folder.join(name))?;
@@ -273,14 +312,11 @@ pub fn keep_apart(light: &mut Light, others: &[Light]) {
     let is_taken = |pattern: &Pattern| {
         others.iter().filter_map(pattern_of).any(|other| other.file == pattern.file && other.image != pattern.image)
     };
-    let part = |part: Option<&std::ffi::OsStr>| part.unwrap_or_default().to_string_lossy().into_owned();
-    let (stem, extension) = (part(file.file_stem()), part(file.extension()));
     for number in 2.. {
         if !is_taken(pattern) {
             break;
         }
-        let name = file.with_file_name(format!("{stem}-{number}")).with_extension(&extension);
-        pattern.file = name.to_string_lossy().into_owned();
+        pattern.file = numbered(&file, number);
     }
 }
 

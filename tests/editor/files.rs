@@ -4,6 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use egui::{Key, Modifiers};
+use softbox::editor::dialogs::Reply;
 use softbox::scene;
 
 use egui_kittest::kittest::Queryable;
@@ -52,6 +53,14 @@ fn a_cancelled_dialog_changes_nothing() {
     window.choose(None);
     window.key(Modifiers::COMMAND, Key::O);
     assert!(Arc::ptr_eq(&before, &window.scene()), "the document is untouched");
+}
+
+#[test]
+fn a_desktop_without_dialogs_is_told_of() {
+    let mut window = Window::with_scene();
+    window.reply(Reply::Unavailable);
+    window.key(Modifiers::COMMAND, Key::O);
+    assert!(window.says("no file dialog"), "the user is told");
 }
 
 #[test]

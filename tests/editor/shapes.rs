@@ -1,5 +1,9 @@
 //! Every shape of light and every model of reflection: added from the menu, edited number by number, taken back.
 
+use std::path::{Path, PathBuf};
+
+use egui::{Key, Modifiers};
+use softbox::light::Shape;
 use softbox::scene;
 
 use crate::window::Window;
@@ -99,4 +103,38 @@ fn a_material_is_given_every_model_and_its_numbers() {
         assert_eq!(steps.len(), 1 + fields.len(), "one step a field: {steps:?}");
         assert_eq!(window.scene(), before, "{model} is gone");
     }
+}
+
+/// A pattern's file that comes with the program.
+fn texture(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("presets/lights/textures").join(name)
+}
+
+#[test]
+fn a_textured_light_is_made_of_a_picture_that_goes_along_when_the_scene_is_saved() {
+    let mut window = Window::with(EMPTY);
+    window.choose(Some(&texture("stained-glass.png")));
+    window.menu(&["Add", "Light", "Textured…"]);
+    let passage = "shape = { textured = { size = [0.6, 1.0], pattern = \"textures/stained-glass.png\" } }";
+    assert!(scene::to_toml(&window.scene()).contains(passage), "the picture's own proportions");
+    assert!(window.has("Pattern") && window.says("96 × 160, colour"), "the inspector shows it");
+    window.enter("Width", "0.9");
+    window.choose(Some(&texture("leaves.png")));
+    window.click("Replace pattern");
+    let Shape::Textured(textured) = &window.scene().lights[0].shape else { panic!("a textured light") };
+    assert_eq!((textured.pattern.file.as_str(), textured.size.x), ("textures/leaves.png", 0.9), "another picture");
+    window.key(Modifiers::COMMAND, Key::S);
+    let saved = scene::load(window.path("scene.toml")).expect("the scene and its pattern are there");
+    assert_eq!(saved, *window.scene(), "what was saved");
+    assert_eq!(window.steps_back(), ["Replace pattern", "Change width", "Add textured"], "three steps");
+}
+
+#[test]
+fn what_is_no_picture_is_refused_in_one_line() {
+    let mut window = Window::with(EMPTY);
+    let path = window.path("scene.toml");
+    window.choose(Some(&path));
+    window.menu(&["Add", "Light", "Textured…"]);
+    assert!(window.says("is no PNG, JPEG, EXR or HDR picture"), "the reason");
+    assert!(window.scene().lights.is_empty(), "no light");
 }

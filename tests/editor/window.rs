@@ -9,7 +9,7 @@ use egui::{Key, Modifiers, PointerButton, Pos2, vec2};
 use egui_kittest::kittest::Queryable;
 use egui_kittest::{Harness, Node, SnapshotOptions};
 use softbox::editor::app::App;
-use softbox::editor::dialogs::Scripted;
+use softbox::editor::dialogs::{Reply, Scripted};
 use softbox::editor::{Item, Session};
 use softbox::scene::Scene;
 
@@ -72,7 +72,12 @@ impl Window {
 
     /// What the next file dialogs are answered.
     pub(crate) fn choose(&mut self, path: Option<&Path>) {
-        let answers = [path.map(Path::to_owned)].into();
+        self.reply(path.map_or(Reply::Cancelled, |path| Reply::Chosen(path.to_owned())));
+    }
+
+    /// What comes of the next file dialog.
+    pub(crate) fn reply(&mut self, reply: Reply) {
+        let answers = [reply].into();
         self.harness.state_mut().dialogs = Box::new(Scripted { answers });
     }
 

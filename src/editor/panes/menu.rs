@@ -155,6 +155,7 @@ pub(super) fn light_icon(kind: LightKind) -> MaterialIcon {
     match kind {
         LightKind::Polygon => icons::ICON_PENTAGON,
         LightKind::Disk => icons::ICON_ADJUST,
+        LightKind::Textured => icons::ICON_TEXTURE,
         LightKind::Line => icons::ICON_HORIZONTAL_RULE,
         LightKind::Sphere => icons::ICON_LENS,
         LightKind::Cap => icons::ICON_WB_TWILIGHT,

@@ -93,7 +93,7 @@ impl egui_tiles::Behavior<Pane> for Panes<'_> {
                 }
             }
             Pane::Outliner => self.commands.extend(self.views.outliner.show(ui, self.session)),
-            Pane::Inspector => self.views.inspector.show(ui, self.session),
+            Pane::Inspector => self.commands.extend(self.views.inspector.show(ui, self.session)),
             Pane::Plots => self.commands.extend(self.views.plots.show(ui, self.session)),
             Pane::Problems => problems::show(ui, self.session),
         }

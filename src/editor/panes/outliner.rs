@@ -5,11 +5,10 @@ use egui_material_icons::MaterialIcon;
 use egui_material_icons::icons;
 
 use super::icon_button;
-use super::menu::entries;
+use super::menu::{entries, light_icon};
 use crate::editor::commands::{Command, LightKind, SurfaceKind};
 use crate::editor::session::{Item, Session};
 use crate::editor::theme;
-use crate::light;
 use crate::scene::{PlotKind, Scene};
 use crate::surface;
 
@@ -239,7 +238,7 @@ fn swatch(ui: &mut Ui, scene: &Scene, item: Item) {
                 let color = display_color(light.tint.rgb());
                 // White would be lost on a light pane.
                 let shade = if ui.visuals().dark_mode { 0.0 } else { 0.3 };
-                (light_icon(&light.shape), color.lerp_to_gamma(Color32::BLACK, shade))
+                (light_icon(LightKind::of(&light.shape)), color.lerp_to_gamma(Color32::BLACK, shade))
             }
             None => return,
         },
@@ -253,20 +252,6 @@ fn swatch(ui: &mut Ui, scene: &Scene, item: Item) {
         Item::Plot(_) => (icons::ICON_SHOW_CHART, weak),
     };
     ui.add_sized(vec2(14.0, 18.0), egui::Label::new(icon.rich_text().color(color).size(15.0)).selectable(false));
-}
-
-fn light_icon(shape: &light::Shape) -> MaterialIcon {
-    match shape {
-        light::Shape::Polygon(_) => icons::ICON_PENTAGON,
-        light::Shape::Line(_) => icons::ICON_HORIZONTAL_RULE,
-        light::Shape::Sphere(_) => icons::ICON_LENS,
-        light::Shape::Disk(_) => icons::ICON_ADJUST,
-        light::Shape::Textured(_) => icons::ICON_TEXTURE,
-        light::Shape::Cap(_) => icons::ICON_WB_TWILIGHT,
-        light::Shape::Sky(_) => icons::ICON_CLOUD,
-        light::Shape::Point(_) => icons::ICON_FLARE,
-        light::Shape::Directional(_) => icons::ICON_SUNNY,
-    }
 }
 
 fn surface_icon(shape: &surface::Shape) -> MaterialIcon {

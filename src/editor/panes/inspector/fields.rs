@@ -5,6 +5,8 @@ use std::ops::RangeInclusive;
 use egui::{DragValue, Grid, Id, Response, RichText, Ui, vec2};
 use glam::DVec3;
 
+use super::pattern::Thumbnail;
+use crate::editor::commands::Command;
 use crate::editor::session::Session;
 use crate::editor::theme;
 use crate::scene::{Scene, validate};
@@ -15,6 +17,10 @@ pub(super) struct Fields<'a> {
     pub(super) session: &'a mut Session,
     pub(super) gesture: &'a mut Option<Id>,
     pub(super) refused: &'a mut Option<(Id, String)>,
+    /// The pattern shown last.
+    pub(super) thumbnail: &'a mut Option<Thumbnail>,
+    /// Commands asked for.
+    pub(super) commands: &'a mut Vec<Command>,
 }
 
 /// How a number is shown and dragged.

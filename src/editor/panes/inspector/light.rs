@@ -3,6 +3,7 @@
 use egui::{Ui, vec2};
 
 use super::fields::{Fields, Number, drag, row_label};
+use super::pattern;
 use crate::light::{Light, LineEmission, Polygon, Quantity, QuantityKind, Shape, Sky, Tint};
 use crate::scene::Scene;
 
@@ -46,7 +47,7 @@ pub(super) fn show(ui: &mut Ui, fields: &mut Fields<'_>, index: usize) {
             fields.number(ui, "Width", &Number::LENGTH, textured.size.x, at(index, set_width));
             fields.number(ui, "Height", &Number::LENGTH, textured.size.y, at(index, set_height));
             fields.toggle(ui, "Two-sided", textured.two_sided, at(index, set_two_sided));
-            fields.derived(ui, "Pattern", &textured.pattern.file);
+            pattern::row(ui, fields, &light.name, &textured.pattern);
         }
         Shape::Cap(cap) => {
             let half_angle = Number {

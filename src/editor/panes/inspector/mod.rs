@@ -3,6 +3,7 @@
 mod fields;
 mod light;
 mod material;
+mod pattern;
 mod plot;
 mod scene;
 mod surface;
@@ -10,10 +11,12 @@ mod surface;
 use egui::{Id, RichText, Ui};
 
 use self::fields::Fields;
+use self::pattern::Thumbnail;
+use crate::editor::commands::Command;
 use crate::editor::session::{Item, Session};
 
 /// The pane's own state.
-#[derive(Debug, Default)]
+#[derive(Default)]
 pub struct Inspector {
     /// The widget whose gesture is open in the history.
     gesture: Option<Id>,
@@ -21,21 +24,25 @@ pub struct Inspector {
     refused: Option<(Id, String)>,
     /// A name that is being typed.
     name: Option<(Item, String)>,
+    /// The pattern shown last.
+    thumbnail: Option<Thumbnail>,
 }
 
 impl Inspector {
-    /// Show the pane.
-    pub fn show(&mut self, ui: &mut Ui, session: &mut Session) {
+    /// Show the pane; the commands that were asked for.
+    pub fn show(&mut self, ui: &mut Ui, session: &mut Session) -> Vec<Command> {
+        let mut commands = Vec::new();
         let scroll = egui::ScrollArea::vertical().auto_shrink(false);
         scroll.show(ui, |ui| {
             egui::Frame::new().inner_margin(egui::Margin::symmetric(10, 8)).show(ui, |ui| {
-                self.contents(ui, session);
+                self.contents(ui, session, &mut commands);
             });
         });
         self.settle(ui, session);
+        commands
     }
 
-    fn contents(&mut self, ui: &mut Ui, session: &mut Session) {
+    fn contents(&mut self, ui: &mut Ui, session: &mut Session, commands: &mut Vec<Command>) {
         let item = session.selection.primary();
         if let Some(item) = item {
             self.heading(ui, session, item);
@@ -44,7 +51,13 @@ impl Inspector {
         if others > 0 {
             ui.weak(format!("and {others} more selected"));
         }
-        let mut fields = Fields { session, gesture: &mut self.gesture, refused: &mut self.refused };
+        let mut fields = Fields {
+            session,
+            gesture: &mut self.gesture,
+            refused: &mut self.refused,
+            thumbnail: &mut self.thumbnail,
+            commands,
+        };
         match item {
             Some(Item::Light(index)) => light::show(ui, &mut fields, index),
             Some(Item::Surface(index)) => surface::show(ui, &mut fields, index),
