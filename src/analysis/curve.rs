@@ -9,9 +9,10 @@ use rayon::prelude::*;
 
 use crate::light::{Emitter, Shape, luminance_of};
 use crate::math::quadrature::Estimate;
+use crate::render::lobe_of;
 use crate::scene::{Plot, PlotKind, PlotQuantity, Scene};
 use crate::shading::reference::reference;
-use crate::shading::{Method, PhongLobe, Prepared, Response, ShadingPoint};
+use crate::shading::{Lobe, Method, Prepared, Response, ShadingPoint};
 
 /// Points that are shaded between two looks at the clock and at the wish to cancel.
 const BATCH: usize = 8;
@@ -157,7 +158,7 @@ fn y_label(plot: &Plot) -> &'static str {
 /// What is measured: the lights, and how a response becomes the quantity.
 struct Subject {
     lights: Vec<(Emitter, Shape, f64)>,
-    lobe: PhongLobe,
+    lobe: Lobe,
     per_irradiance: f64,
     per_specular: f64,
 }
@@ -174,7 +175,6 @@ impl Subject {
     fn new(scene: &Scene, plot: &Plot) -> Self {
         let named = plot.material.as_deref().and_then(|name| scene.material(name));
         let material = named.or_else(|| scene.materials.first());
-        let exponent = material.map_or(1.0, |material| material.exponent);
         let (per_irradiance, per_specular) = match plot.quantity {
             PlotQuantity::Irradiance => (1.0, 0.0),
             PlotQuantity::Specular => (0.0, 1.0),
@@ -190,7 +190,7 @@ impl Subject {
                     parts.map(|(emitter, weight)| (emitter, light.shape.clone(), luminance_of(weight)))
                 })
                 .collect(),
-            lobe: PhongLobe::new(exponent),
+            lobe: material.map_or_else(|| Lobe::new(1.0), lobe_of),
             per_irradiance,
             per_specular,
         }

@@ -18,6 +18,7 @@ pub(crate) struct LayerPass {
     gbuffer_layout: wgpu::BindGroupLayout,
     light_layout: wgpu::BindGroupLayout,
     pipelines: HashMap<(Responder, bool), wgpu::RenderPipeline>,
+    other_pipelines: HashMap<Responder, wgpu::RenderPipeline>,
     tables: Tables,
 }
 
@@ -27,6 +28,7 @@ impl LayerPass {
             gbuffer_layout: pass::bind_group_layout(device, &[Binding::Texture, Binding::Texture, Binding::Storage]),
             light_layout: pass::bind_group_layout(device, &[Binding::Uniform, Binding::Storage, Binding::Storage]),
             pipelines: HashMap::new(),
+            other_pipelines: HashMap::new(),
             tables: Tables::default(),
         }
     }
@@ -44,13 +46,40 @@ impl LayerPass {
             .pipelines
             .entry((light.responder, matte))
             .or_insert_with(|| pass::pipeline(device, &light.responder.source(matte), "layer", &layouts, &[FORMAT]));
-        let uniform = pass::buffer(device, &light.uniform, wgpu::BufferUsages::UNIFORM);
-        let vertices = pass::storage(device, &light.vertices);
-        let table = self.tables.buffer(device, &light.table);
-        let resources = [uniform.as_entire_binding(), vertices.as_entire_binding(), table.as_entire_binding()];
-        let group = pass::bind_group(device, &self.light_layout, &resources);
+        let group = light_group(device, &self.light_layout, &mut self.tables, light);
         pass::run(encoder, pipeline, &[gbuffer, &group], &[&target.view]);
+        let Some(others) = &light.other_lobes else { return };
+        // Their specular response takes the place of the closed form's.
+        let specular = wgpu::ColorTargetState { write_mask: wgpu::ColorWrites::GREEN, ..FORMAT.into() };
+        let pipeline = self.other_pipelines.entry(others.responder).or_insert_with(|| {
+            pass::pipeline_writing(
+                device,
+                &others.responder.source(false),
+                "layer_of_other_lobes",
+                &layouts,
+                &[specular],
+            )
+        });
+        let group = light_group(device, &self.light_layout, &mut self.tables, others);
+        pass::run_over(encoder, pipeline, &[gbuffer, &group], &[&target.view], wgpu::LoadOp::Load);
     }
+}
+
+/// A light as its layer's shader reads it.
+fn light_group(
+    device: &wgpu::Device,
+    layout: &wgpu::BindGroupLayout,
+    tables: &mut Tables,
+    light: &LightData,
+) -> wgpu::BindGroup {
+    let uniform = pass::buffer(device, &light.uniform, wgpu::BufferUsages::UNIFORM);
+    let vertices = pass::storage(device, &light.vertices);
+    let table = tables.buffer(device, &light.table);
+    pass::bind_group(
+        device,
+        layout,
+        &[uniform.as_entire_binding(), vertices.as_entire_binding(), table.as_entire_binding()],
+    )
 }
 
 /// One sample a pixel: a G-buffer and the layers on it, each kept for as long as what it depends on stays the same.

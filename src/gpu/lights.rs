@@ -104,7 +104,12 @@ pub(crate) struct LightData {
     pub(crate) vertices: Vec<[f32; 4]>,
     /// Its table.
     pub(crate) table: Table,
+    /// What answers for lobes that are no cosine, where this is a closed form and there are such lobes.
+    pub(crate) other_lobes: Option<Box<Self>>,
 }
+
+/// Points of the cluster that stands for a closed form's light where the lobe is no cosine.
+const OTHER_LOBES_CLUSTER: Method = Method::PointCluster(256);
 
 impl LightData {
     /// An emitter as `method` sees it, about the eye. `reference` has no shader: the closed form stands in.
@@ -126,6 +131,13 @@ impl LightData {
             Emitter::Line(light) => Self::line(light, method, eye),
             Emitter::Sphere(light) => Self::sphere(light, method, eye),
         }
+    }
+
+    /// With a cluster for lobes that are no cosine, if the method needs one for them.
+    pub(crate) fn with_other_lobes(self, emitter: &Emitter, method: Method, eye: DVec3) -> Self {
+        let needed = !method.takes_any_lobe() && !emitter.is_one_direction();
+        let cluster = || Box::new(Self::new(emitter, OTHER_LOBES_CLUSTER, eye));
+        Self { other_lobes: needed.then(cluster), ..self }
     }
 
     fn directional(to_light: DVec3) -> Self {
@@ -156,6 +168,7 @@ impl LightData {
             uniform: bytemuck::bytes_of(&uniform).to_vec(),
             vertices: light.vertices.iter().map(|vertex| vec4_of(*vertex - eye, 0.0)).collect(),
             table: Table::None,
+            other_lobes: None,
         }
     }
 
@@ -229,6 +242,8 @@ impl LightData {
             normal: vec3_of(frame.normal),
             two_sided: u32::from(frame.two_sided),
             shares,
+            is_round: u32::from(frame.is_round),
+            ..Default::default()
         };
         let responder = match light.radius() {
             Radius::Fitted(Kernel::Disk) => Responder::ONE_SHOT,
@@ -240,12 +255,18 @@ impl LightData {
     }
 
     fn without_vertices<T: bytemuck::Pod>(responder: Responder, uniform: &T) -> Self {
-        Self { responder, uniform: bytemuck::bytes_of(uniform).to_vec(), vertices: vec![[0.0; 4]], table: Table::None }
+        Self {
+            responder,
+            uniform: bytemuck::bytes_of(uniform).to_vec(),
+            vertices: vec![[0.0; 4]],
+            table: Table::None,
+            other_lobes: None,
+        }
     }
 
     fn cluster(points: Vec<[f32; 4]>, uniform: ClusterLight) -> Self {
         let uniform = ClusterLight { count: u32_of(points.len()), ..uniform };
         let uniform = bytemuck::bytes_of(&uniform).to_vec();
-        Self { responder: Responder::CLUSTER, uniform, vertices: points, table: Table::None }
+        Self { responder: Responder::CLUSTER, uniform, vertices: points, table: Table::None, other_lobes: None }
     }
 }

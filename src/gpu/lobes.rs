@@ -2,7 +2,7 @@
 
 use super::types::{Lobe, f32_of};
 use crate::math::special::GAUSS_24;
-use crate::shading::{Method, PhongLobe};
+use crate::shading::{self, LobeModel, Method};
 
 /// Cells of a lobe's table of ∫cosᵐφ dφ.
 const CELLS: u8 = 64;
@@ -10,18 +10,38 @@ const CELLS: u8 = 64;
 /// −ln of the share of a lobe's peak at which its table ends; it is a tenth of what f32 can add to the whole.
 const TABLE_END_LN: f64 = 19.0;
 
+// The models in `common.wgsl`; a twin of each lobe's density holds them against it.
+const PHONG: u32 = 0;
+const LAFORTUNE: u32 = 1;
+const BLINN: u32 = 2;
+const COOK_TORRANCE: u32 = 3;
+
+/// Whether a lobe is no cosine about an axis.
+pub(crate) fn is_other(lobe: &Lobe) -> bool {
+    lobe.model > LAFORTUNE
+}
+
 /// A lobe with its table and its Chebyshev fit: `method`'s, else the usual one.
-pub(crate) fn lobe(lobe: &PhongLobe, method: Method) -> Lobe {
+pub(crate) fn lobe(lobe: &shading::Lobe, method: Method) -> Lobe {
     let fit = match method {
         Method::Chebyshev { degree, levels } => lobe.chebyshev(degree, levels),
         _ => lobe.chebyshev(6, 256),
     };
-    let (cosine_cells, cosine_integral) = cosine_table(lobe.exponent());
+    let (cosine_cells, cosine_integral) = cosine_table(lobe.exponent().max(1.0));
+    let (model, parameters) = match lobe.model() {
+        LobeModel::Phong => (PHONG, [0.0; 2]),
+        LobeModel::Lafortune { tangential, normal } => (LAFORTUNE, [tangential, normal]),
+        LobeModel::Blinn { norm } => (BLINN, [norm, 0.0]),
+        LobeModel::CookTorrance { slope, reflectance } => (COOK_TORRANCE, [slope, reflectance]),
+    };
     Lobe {
         exponent: f32_of(lobe.exponent()),
         chebyshev_cut: f32_of(fit.cut()),
         chebyshev_tan_cut: f32_of(fit.cut().tan()),
         cosine_cells,
+        model,
+        cosine_exponent: f32_of(lobe.cosine_exponent()),
+        parameters: parameters.map(f32_of),
         chebyshev: quads(fit.coefficients()),
         chebyshev_mean: quads(fit.mean_coefficients()),
         cosine_integral,

@@ -105,6 +105,18 @@ pub(crate) fn pipeline(
     layouts: &[&wgpu::BindGroupLayout],
     formats: &[wgpu::TextureFormat],
 ) -> wgpu::RenderPipeline {
+    let targets: Vec<_> = formats.iter().map(|format| (*format).into()).collect();
+    pipeline_writing(device, source, entry, layouts, &targets)
+}
+
+/// A pipeline that runs `entry` on every pixel of its targets, and writes of them what they say.
+pub(crate) fn pipeline_writing(
+    device: &wgpu::Device,
+    source: &Source,
+    entry: &str,
+    layouts: &[&wgpu::BindGroupLayout],
+    targets: &[wgpu::ColorTargetState],
+) -> wgpu::RenderPipeline {
     let module = source.compile(device, entry);
     let layouts: Vec<_> = layouts.iter().copied().map(Some).collect();
     let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
@@ -112,7 +124,7 @@ pub(crate) fn pipeline(
         bind_group_layouts: &layouts,
         immediate_size: 0,
     });
-    let targets: Vec<_> = formats.iter().map(|format| Some((*format).into())).collect();
+    let targets: Vec<_> = targets.iter().cloned().map(Some).collect();
     device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
         label: Some(entry),
         layout: Some(&layout),
@@ -136,12 +148,23 @@ pub(crate) fn pipeline(
     })
 }
 
-/// Runs a pipeline on every pixel of `targets`.
+/// Runs a pipeline on every pixel of `targets`, which it fills.
 pub(crate) fn run(
     encoder: &mut wgpu::CommandEncoder,
     pipeline: &wgpu::RenderPipeline,
     groups: &[&wgpu::BindGroup],
     targets: &[&wgpu::TextureView],
+) {
+    run_over(encoder, pipeline, groups, targets, wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT));
+}
+
+/// Runs a pipeline on every pixel of `targets`, which hold what `load` says before.
+pub(crate) fn run_over(
+    encoder: &mut wgpu::CommandEncoder,
+    pipeline: &wgpu::RenderPipeline,
+    groups: &[&wgpu::BindGroup],
+    targets: &[&wgpu::TextureView],
+    load: wgpu::LoadOp<wgpu::Color>,
 ) {
     let attachments: Vec<_> = targets
         .iter()
@@ -150,10 +173,7 @@ pub(crate) fn run(
                 view,
                 depth_slice: None,
                 resolve_target: None,
-                ops: wgpu::Operations {
-                    load: wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT),
-                    store: wgpu::StoreOp::Store,
-                },
+                ops: wgpu::Operations { load, store: wgpu::StoreOp::Store },
             })
         })
         .collect();

@@ -11,8 +11,9 @@ use super::lobes;
 use super::read_back::{self, Pixels, ReadBackError};
 use super::types::{Lobe, vec4_of};
 use super::view::{Stats, View};
+use crate::render::lobe_of;
 use crate::scene::Scene;
-use crate::shading::{Method, PhongLobe};
+use crate::shading::{self, Method};
 
 /// Samples a pixel of a converged picture.
 const SAMPLES: u16 = 8;
@@ -134,8 +135,8 @@ pub fn picture(context: &Context, scene: &Scene, view: &View) -> Result<Pixels, 
 
 /// The lobe of each material, and one for surfaces whose material is missing.
 fn lobes(scene: &Scene, method: Method) -> Vec<Lobe> {
-    let exponents = scene.materials.iter().map(|material| material.exponent).chain([1.0]);
-    exponents.map(|exponent| lobes::lobe(&PhongLobe::new(exponent), method)).collect()
+    let known = scene.materials.iter().map(lobe_of).chain([shading::Lobe::new(1.0)]);
+    known.map(|lobe| lobes::lobe(&lobe, method)).collect()
 }
 
 /// What the layers are to be, and how they are mixed.
@@ -149,9 +150,14 @@ fn wanted(scene: &Scene, view: &View, jitter: [f32; 2]) -> (Wanted, Mix) {
         lit: Vec::new(),
         dark: Vec::new(),
     };
+    let other_lobes = !matte && wanted.lobes.iter().any(lobes::is_other);
     for light in &scene.lights {
         for (emitter, weight) in light.parts() {
-            let data = LightData::new(&emitter, view.method.for_shape(&light.shape), view.camera.eye);
+            let method = view.method.for_shape(&light.shape);
+            let mut data = LightData::new(&emitter, method, view.camera.eye);
+            if other_lobes {
+                data = data.with_other_lobes(&emitter, method, view.camera.eye);
+            }
             if weight.max_element() > 0.0 {
                 wanted.lit.push(data.clone());
                 mixed.push((data, vec4_of(weight, 0.0)));

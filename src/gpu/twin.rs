@@ -40,10 +40,12 @@ macro_rules! functions {
 }
 
 functions! {
-    /// Row: vector to the light, intensity, falloff, normal, mirror direction, exponent.
-    FALLOFF_IRRADIANCE = "falloff_response" in &[Module::POINT], "(v(0), f(3), f(4), v(5), v(8), f(11)).irradiance";
-    /// Row: vector to the light, intensity, falloff, normal, mirror direction, exponent.
-    FALLOFF_SPECULAR = "falloff_response" in &[Module::POINT], "(v(0), f(3), f(4), v(5), v(8), f(11)).specular";
+    /// Row: normal, mirror direction, direction; and the lobe. Its twin is [`crate::shading::Lobe::density`].
+    LOBE_DENSITY = "lobe_density" in &[], "(lobe, v(0), v(3), v(6))";
+    /// Row: vector to the light, intensity, falloff, normal, mirror direction; and the lobe.
+    FALLOFF_IRRADIANCE = "falloff_response" in &[Module::POINT], "(v(0), f(3), f(4), v(5), v(8), lobe).irradiance";
+    /// Row: vector to the light, intensity, falloff, normal, mirror direction; and the lobe.
+    FALLOFF_SPECULAR = "falloff_response" in &[Module::POINT], "(v(0), f(3), f(4), v(5), v(8), lobe).specular";
     /// Row: ends, normal, falloff, diameter.
     LINE_IRRADIANCE = "line_irradiance" in &[Module::POINT, Module::LINE], "(v(0), v(3), v(6), f(9), f(10))";
     /// Row: ends, normal, falloff, diameter, mirror direction; and the lobe.
@@ -51,9 +53,9 @@ functions! {
     /// Row: ends, normal, falloff, diameter, mirror direction; and the lobe.
     LINE_CHEBYSHEV = "line_chebyshev" in &[Module::POINT, Module::LINE],
         "(v(0), v(3), v(6), v(11), f(9), f(10), lobe)";
-    /// Row: ends, normal, falloff, diameter, mirror direction, exponent.
+    /// Row: ends, normal, falloff, diameter, mirror direction; and the lobe.
     LINE_NEAREST_POINT = "line_nearest_point" in &[Module::POINT, Module::LINE],
-        "(v(0), v(3), v(6), v(11), f(14), f(9), f(10))";
+        "(v(0), v(3), v(6), v(11), lobe, f(9), f(10))";
     /// Row: p, the light's normal, normal; and the corners.
     POLYGON_IRRADIANCE = "polygon_irradiance" in &[Module::CONTOUR, Module::POLYGON],
         "(Corners(row.first_vertex, row.vertex_count, v(0), v(3)), v(6))";
@@ -73,9 +75,9 @@ functions! {
         "(v(0), f(3), v(4))";
     /// Row: vector to the centre, radius, normal, mirror direction, exponent.
     SPHERE_PHONG = "sphere_phong" in &[Module::POINT, Module::SPHERE], "(v(0), f(3), v(4), v(7), f(10))";
-    /// Row: vector to the centre, radius, number of directions, normal, mirror direction, exponent.
+    /// Row: vector to the centre, radius, number of directions, normal, mirror direction; and the lobe.
     SPHERE_CLUSTER = "sphere_cluster" in &[Module::POINT, Module::SPHERE],
-        "(v(0), f(3), u32(f(4)), v(5), v(8), f(11)).specular";
+        "(v(0), f(3), u32(f(4)), v(5), v(8), lobe).specular";
     /// Row: an axis' parts along a plane and away from it, exponent.
     BRIGHTEST_STEP = "brightest_step" in &[Module::ONE_SHOT], "(f(0), f(1), f(2))";
     /// Row: place, radius; and a disk table. Its twin is [`crate::shading::one_shot::DiskTable::sum`].

@@ -52,12 +52,15 @@ gpu_structs! {
         unused: u32,
     }
 
-    /// A material's Phong lobe.
+    /// A material's lobe.
     Lobe {
         exponent: f32,
         chebyshev_cut: f32,
         chebyshev_tan_cut: f32,
         cosine_cells: f32,
+        model: u32,
+        cosine_exponent: f32,
+        parameters: [f32; 2],
         chebyshev: [[f32; 4]; 4],
         chebyshev_mean: [[f32; 4]; 4],
         cosine_integral: [[f32; 16]; 16],
@@ -119,6 +122,8 @@ gpu_structs! {
         normal: Vec3,
         two_sided: u32,
         shares: [[f32; 4]; 2],
+        is_round: u32,
+        pad: [u32; 3],
     }
 
     /// One batch of the composite.

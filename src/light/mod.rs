@@ -196,6 +196,13 @@ impl Light {
     }
 }
 
+impl Emitter {
+    /// Whether a point sees all of it in one direction.
+    pub fn is_one_direction(&self) -> bool {
+        matches!(self, Self::Point(_) | Self::Directional(_))
+    }
+}
+
 impl Shape {
     /// The name of the shape in files and on screen.
     pub fn name(&self) -> &'static str {

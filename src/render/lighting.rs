@@ -6,8 +6,8 @@ use glam::DVec3;
 
 use super::MethodChoice;
 use crate::scene::Scene;
-use crate::shading::{PhongLobe, Prepared, Response, ShadingPoint};
-use crate::surface::Material;
+use crate::shading::{Lobe, Prepared, Response, ShadingPoint};
+use crate::surface::{Material, ReflectionModel};
 
 /// The parts of a scene's lights, each with its method and weight.
 #[derive(Clone, Debug)]
@@ -26,7 +26,7 @@ struct Lit {
 pub struct Reflection {
     diffuse: DVec3,
     specular: DVec3,
-    lobe: PhongLobe,
+    lobe: Lobe,
 }
 
 /// What leaves a point towards the eye, and what reaches it.
@@ -64,6 +64,16 @@ impl Lighting {
 impl Reflection {
     /// A material prepared for shading.
     pub fn new(material: &Material) -> Self {
-        Self { diffuse: material.diffuse, specular: material.specular, lobe: PhongLobe::new(material.exponent) }
+        Self { diffuse: material.diffuse, specular: material.specular, lobe: lobe_of(material) }
+    }
+}
+
+/// A material's specular lobe.
+pub fn lobe_of(material: &Material) -> Lobe {
+    match material.model {
+        ReflectionModel::Phong {} => Lobe::new(material.exponent),
+        ReflectionModel::Blinn {} => Lobe::blinn(material.exponent),
+        ReflectionModel::CookTorrance { roughness, reflectance } => Lobe::cook_torrance(roughness, reflectance),
+        ReflectionModel::Lafortune { tangential, normal } => Lobe::lafortune(material.exponent, tangential, normal),
     }
 }

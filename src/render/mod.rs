@@ -15,7 +15,7 @@ pub use choice::MethodChoice;
 pub use emitters::{PlacedEmitter, intersect_emitter};
 pub use film::Film;
 pub use geometry::{Geometry, Seen, Thing};
-pub use lighting::{Lighting, Outgoing, Reflection};
+pub use lighting::{Lighting, Outgoing, Reflection, lobe_of};
 pub use tone::{encode_srgb, expose, pbr_neutral};
 
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};

@@ -9,21 +9,34 @@ use crate::math::chebyshev::{ChebyshevLobe, Fits};
 
 /// A model of specular reflection: the reflected radiance is k_s·∫ L(ω) ρ(ω) dω over ω·n > 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Model {
+pub enum LobeModel {
     /// ρ = (m+1)/(2π)·max(0, ω·r)ᵐ.
     Phong,
     /// ρ = norm·max(0, n·h)ᵐ, h the half-vector.
-    Blinn { norm: f64 },
-    /// ρ = D·G·F/(4 n·v), of RMS slope s.
-    CookTorrance { slope: f64, reflectance: f64 },
+    Blinn {
+        /// See [`Lobe::blinn`].
+        norm: f64,
+    },
+    /// ρ = D·G·F/(4 n·v).
+    CookTorrance {
+        /// RMS slope s of the microfacets.
+        slope: f64,
+        /// Fresnel reflectance f at normal incidence.
+        reflectance: f64,
+    },
     /// ρ = (m+1)/(2π)·max(0, ω·q)ᵐ with q = t·(v − (n·v)n) + c·(n·v)n.
-    Lafortune { tangential: f64, normal: f64 },
+    Lafortune {
+        /// t.
+        tangential: f64,
+        /// c.
+        normal: f64,
+    },
 }
 
 /// A specular lobe, with what methods need to know of it computed once.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Lobe {
-    model: Model,
+    model: LobeModel,
     exponent: f64,
     fits: Fits,
 }
@@ -34,7 +47,7 @@ const LEAST_SLOPE: f64 = 0.01;
 impl Lobe {
     /// Phong's lobe of exponent m, any real ≥ 1.
     pub fn new(exponent: f64) -> Self {
-        Self::of_model(Model::Phong, exponent)
+        Self::of_model(LobeModel::Phong, exponent)
     }
 
     /// Blinn's lobe of exponent m, any real ≥ 1.
@@ -45,18 +58,19 @@ impl Lobe {
     pub fn blinn(exponent: f64) -> Self {
         let order = exponent + 2.0;
         let norm = order / (-8.0 * PI * (-0.5 * order * std::f64::consts::LN_2).exp_m1());
-        Self::of_model(Model::Blinn { norm }, exponent)
+        Self::of_model(LobeModel::Blinn { norm }, exponent)
     }
 
     /// Cook and Torrance's lobe: Beckmann's distribution of an RMS slope 0…1, the V-grooves' shadowing, and Schlick's
     /// Fresnel term of a reflectance 0…1 at normal incidence.
     ///
-    /// **Source:** [`crate::refs::COOK_TORRANCE_1982`], whose F·D·G/π is divided by 4, as later work does, so that it conserves energy.
+    /// **Source:** [`crate::refs::COOK_TORRANCE_1982`], whose F·D·G/π is divided by 4, as later work does, so
+    /// that it conserves energy.
     /// **Domain:** slopes below 0.01 are 0.01.
     pub fn cook_torrance(roughness: f64, reflectance: f64) -> Self {
         let slope = roughness.max(LEAST_SLOPE);
         // About the mirror direction D is exp(−tan²θ_h/s²) ≈ exp(−θ²/(4s²)), which is cosᵐ θ for m = 1/(2s²).
-        Self::of_model(Model::CookTorrance { slope, reflectance }, 0.5 / (slope * slope))
+        Self::of_model(LobeModel::CookTorrance { slope, reflectance }, 0.5 / (slope * slope))
     }
 
     /// Lafortune's lobe of exponent m, any real ≥ 1, with C_x = C_y = `tangential` and C_z = `normal`; (−1, 1) is
@@ -64,11 +78,16 @@ impl Lobe {
     ///
     /// **Source:** [`crate::refs::LAFORTUNE_1997`], eq. (6).
     pub fn lafortune(exponent: f64, tangential: f64, normal: f64) -> Self {
-        Self::of_model(Model::Lafortune { tangential, normal }, exponent)
+        Self::of_model(LobeModel::Lafortune { tangential, normal }, exponent)
     }
 
-    fn of_model(model: Model, exponent: f64) -> Self {
+    fn of_model(model: LobeModel, exponent: f64) -> Self {
         Self { model, exponent, fits: Fits::default() }
+    }
+
+    /// The model, with its parameters.
+    pub fn model(&self) -> LobeModel {
+        self.model
     }
 
     /// The exponent m of a cosine lobe; of Cook and Torrance's, that of the cosine lobe that is most like it.
@@ -81,7 +100,7 @@ impl Lobe {
     /// The half-vector turns half as fast as ω, so Blinn's cosᵐ(θ/2) ≈ exp(−mθ²/8) is that of m/4.
     pub fn cosine_exponent(&self) -> f64 {
         match self.model {
-            Model::Blinn { .. } => 0.25 * self.exponent,
+            LobeModel::Blinn { .. } => 0.25 * self.exponent,
             _ => self.exponent,
         }
     }
@@ -98,14 +117,14 @@ impl Lobe {
 
     /// Whether this is a power of a cosine about an axis, which the closed forms need.
     pub fn is_cosine(&self) -> bool {
-        matches!(self.model, Model::Phong | Model::Lafortune { .. })
+        matches!(self.model, LobeModel::Phong | LobeModel::Lafortune { .. })
     }
 
     /// The point as a lobe sees it whose axis is the mirror direction, and the factor of its specular response.
     ///
     /// Lafortune's lobe at `at` is |q|ᵐ times Phong's at a point that is seen from where q is mirrored to.
     pub fn seen(&self, at: &ShadingPoint) -> (ShadingPoint, f64) {
-        let Model::Lafortune { tangential, normal } = self.model else { return (*at, 1.0) };
+        let LobeModel::Lafortune { tangential, normal } = self.model else { return (*at, 1.0) };
         let along_normal = at.n.dot(at.v) * at.n;
         let q = tangential * (at.v - along_normal) + normal * along_normal;
         let length = q.length();
@@ -118,15 +137,15 @@ impl Lobe {
     /// Of Lafortune's lobe, that of the point that [`Self::seen`] gives, without its factor.
     pub fn density(&self, n: DVec3, r: DVec3, w: DVec3) -> f64 {
         match self.model {
-            Model::Phong | Model::Lafortune { .. } => {
+            LobeModel::Phong | LobeModel::Lafortune { .. } => {
                 let cosine = r.dot(w);
                 if cosine > 0.0 { self.normalisation() * cosine.powf(self.exponent) } else { 0.0 }
             }
-            Model::Blinn { norm } => {
+            LobeModel::Blinn { norm } => {
                 let cosine = n.dot(half_vector(n, r, w));
                 if cosine > 0.0 { norm * cosine.powf(self.exponent) } else { 0.0 }
             }
-            Model::CookTorrance { slope, reflectance } => cook_torrance(slope, reflectance, n, r, w),
+            LobeModel::CookTorrance { slope, reflectance } => cook_torrance(slope, reflectance, n, r, w),
         }
     }
 }

@@ -99,6 +99,11 @@ impl Method {
         if has { self } else { Self::Exact }
     }
 
+    /// Whether it looks at the light from few directions, in which any lobe can be evaluated.
+    pub fn takes_any_lobe(self) -> bool {
+        matches!(self, Self::OneShot | Self::OneShotSquare | Self::OneShotSized | Self::PointCluster(_) | Self::Point)
+    }
+
     /// The shape's first approximation, which the command line calls `approx`.
     pub fn first_approximation(shape: &Shape) -> Self {
         match shape {

@@ -18,7 +18,7 @@ pub mod sky;
 pub mod sphere;
 pub mod textured;
 
-pub use lobe::{Lobe, Lobe as PhongLobe};
+pub use lobe::{Lobe, Lobe as PhongLobe, LobeModel};
 pub use method::{Method, UnknownMethod};
 pub use prepared::Prepared;
 
@@ -50,12 +50,13 @@ impl ShadingPoint {
 pub struct Response {
     /// E = ∫ L(ω)(ω·n) dω over ω·n > 0. With unit luminance this is in lx per cd·m⁻².
     pub irradiance: f64,
-    /// (m+1)/(2π) ∫ L(ω)(ω·r)ᵐ dω over ω·r > 0 and ω·n > 0.
+    /// ∫ L(ω) ρ(ω) dω over ω·n > 0, ρ the lobe's density; Phong's is (m+1)/(2π)·max(0, ω·r)ᵐ.
     pub specular: f64,
 }
 
 /// The unit-strength response at a point by a method; methods that a shape does not have answer as
-/// [`Method::Exact`] does (see [`Method::for_shape`]). For more than one point, prepare the light: [`Prepared`].
+/// [`Method::Exact`] does (see [`Method::for_shape`]). Of lobes that are no power of a cosine, Blinn's and Cook and
+/// Torrance's, methods but for point lights, clusters and one-shot have the specular part by quadrature. For more than one point, prepare the light: [`Prepared`].
 pub fn respond(emitter: &Emitter, method: Method, at: &ShadingPoint, lobe: &PhongLobe) -> Response {
     match OneShot::new(emitter, method) {
         Some(one_shot) => one_shot.respond(at, lobe),
@@ -64,10 +65,22 @@ pub fn respond(emitter: &Emitter, method: Method, at: &ShadingPoint, lobe: &Phon
 }
 
 /// The response by a method that needs nothing prepared.
-fn answer(emitter: &Emitter, method: Method, at: &ShadingPoint, lobe: &PhongLobe) -> Response {
+fn answer(emitter: &Emitter, method: Method, at: &ShadingPoint, lobe: &Lobe) -> Response {
     if method == Method::Reference {
         return reference::reference(emitter, at, lobe).response();
     }
+    let (seen, factor) = lobe.seen(at);
+    let Response { irradiance, specular } = answer_cosine(emitter, method, &seen, lobe);
+    let any_lobe = method.takes_any_lobe() || emitter.is_one_direction() || matches!(emitter, Emitter::Textured(_));
+    if lobe.is_cosine() || any_lobe {
+        return Response { irradiance, specular: factor * specular };
+    }
+    Response { irradiance, specular: reference::quick_specular(emitter, at, lobe).value }
+}
+
+/// The response of a shape's own module: its specular part is right for cosine lobes, and for all others by methods that
+/// take any lobe.
+fn answer_cosine(emitter: &Emitter, method: Method, at: &ShadingPoint, lobe: &Lobe) -> Response {
     match emitter {
         Emitter::Polygon(light) => polygon::respond(light, method, at, lobe),
         Emitter::Line(light) => line::respond(light, method, at, lobe),

@@ -19,7 +19,7 @@ use std::f64::consts::PI;
 
 use glam::DVec3;
 
-use super::{PhongLobe, Response, ShadingPoint};
+use super::{Lobe, Response, ShadingPoint};
 use crate::light::Emitter;
 use crate::math::quadrature::{Estimate, Tolerance};
 
@@ -39,30 +39,49 @@ impl BoundedResponse {
     }
 }
 
-/// max(0, axis·ω)ᵐ above up to two horizons: the weight of a direction in every integral here.
+/// The weight of a direction in every integral here: max(0, axis·ω)ᵐ above up to two horizons, or a lobe's density
+/// above one.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Kernel {
-    /// Unit axis; directions below its horizon count nothing.
+pub struct Kernel<'a> {
+    /// Unit direction of the peak, or near it; of a cosine the normal of a horizon too.
     pub axis: DVec3,
-    /// The exponent m ≥ 1.
+    /// The exponent m ≥ 1 of the cosine, or one whose cosine is as wide as the lobe.
     pub exponent: f64,
-    /// Normal of a second horizon.
+    /// Normal of the surface's horizon.
     pub horizon: Option<DVec3>,
+    /// The lobe, where it is no cosine.
+    lobe: Option<&'a Lobe>,
+    /// The error sought in the outer and in the inner integral.
+    tolerances: [Tolerance; 2],
 }
 
-impl Kernel {
+impl<'a> Kernel<'a> {
     /// Lambert's cosine about the normal n.
     pub fn cosine(n: DVec3) -> Self {
-        Self { axis: n, exponent: 1.0, horizon: None }
+        Self::cosine_power(n, 1.0)
+    }
+
+    /// The cosine about an axis to the power m.
+    pub fn cosine_power(axis: DVec3, m: f64) -> Self {
+        Self { axis, exponent: m, horizon: None, lobe: None, tolerances: [OUTER, INNER] }
     }
 
     /// The Phong lobe about r of exponent m, above the horizon of n.
     pub fn lobe(r: DVec3, m: f64, n: DVec3) -> Self {
-        Self { axis: r, exponent: m, horizon: Some(n) }
+        Self { horizon: Some(n), ..Self::cosine_power(r, m) }
+    }
+
+    /// The density of a lobe that is no cosine, seen from where r is mirrored to.
+    pub fn density(r: DVec3, lobe: &'a Lobe, n: DVec3) -> Self {
+        Self { lobe: Some(lobe), ..Self::lobe(r, lobe.cosine_exponent().max(1.0), n) }
     }
 
     /// The weight of a unit direction above both horizons, and what the rounding of the direction does to it.
     fn weight(&self, direction: DVec3) -> Estimate {
+        if let (Some(lobe), Some(n)) = (self.lobe, self.horizon) {
+            let value = lobe.density(n, self.axis, direction);
+            return Estimate { value, error: 16.0 * f64::EPSILON * (self.exponent + 4.0) * value };
+        }
         let cosine = self.axis.dot(direction).max(0.0);
         let power = cosine.powf(self.exponent - 1.0);
         Estimate { value: power * cosine, error: 4.0 * f64::EPSILON * self.exponent * power }
@@ -70,7 +89,8 @@ impl Kernel {
 
     /// Normals of the horizons.
     fn horizons(&self) -> impl Iterator<Item = DVec3> {
-        std::iter::once(self.axis).chain(self.horizon)
+        let of_axis = self.lobe.is_none().then_some(self.axis);
+        of_axis.into_iter().chain(self.horizon)
     }
 
     /// Whether a direction is above both horizons.
@@ -83,11 +103,27 @@ impl Kernel {
         let width = self.exponent.sqrt().recip();
         [0.0, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0].into_iter().flat_map(move |offset| [-offset * width, offset * width])
     }
+
+    /// The error sought in an outer integral.
+    fn outer(&self) -> Tolerance {
+        self.tolerances[0]
+    }
+
+    /// The error sought in an inner integral.
+    fn inner(&self) -> Tolerance {
+        self.tolerances[1]
+    }
 }
 
 /// The error sought, and the evaluations that may be spent on it.
 const OUTER: Tolerance = Tolerance { relative: 1e-8, absolute: 1e-300, panels: 160 };
 const INNER: Tolerance = Tolerance { relative: 1e-10, absolute: 1e-300, panels: 40 };
+
+/// What methods seek that have no closed form for a lobe.
+const QUICK: [Tolerance; 2] = [
+    Tolerance { relative: 1e-5, absolute: 1e-300, panels: 40 },
+    Tolerance { relative: 1e-6, absolute: 1e-300, panels: 12 },
+];
 
 /// Response of an emitter by quadrature.
 ///
@@ -95,28 +131,43 @@ const INNER: Tolerance = Tolerance { relative: 1e-10, absolute: 1e-300, panels: 
 /// or along the light (line); point and directional lights are their own integrals.
 /// **Accuracy:** the bound is 1e-7 of the value or less in ordinary cases; the budget keeps an evaluation to some
 /// milliseconds, and where it is spent the bound is wider.
-pub fn reference(emitter: &Emitter, at: &ShadingPoint, lobe: &PhongLobe) -> BoundedResponse {
-    let (r, m) = (at.mirror(), lobe.exponent());
-    let normalisation = (m + 1.0) / (2.0 * PI);
-    let [cosine, phong] = [Kernel::cosine(at.n), Kernel::lobe(r, m, at.n)];
-    let [irradiance, specular] = [cosine, phong].map(|kernel| match emitter {
-        Emitter::Polygon(light) => polygon_reference(light, at.p, &kernel),
-        Emitter::Line(light) => line_reference(light, at.p, &kernel),
-        Emitter::Sphere(light) => sphere_reference(light, at.p, &kernel),
-        Emitter::Disk(light) => disk_reference(light, at.p, &kernel),
-        Emitter::Textured(light) => textured_reference(light, at.p, &kernel),
-        Emitter::Cap(light) => cap_reference(light.to_center, light.half_angle, &kernel),
+pub fn reference(emitter: &Emitter, at: &ShadingPoint, lobe: &Lobe) -> BoundedResponse {
+    let irradiance = integral(emitter, at.p, &Kernel::cosine(at.n));
+    let specular = if lobe.is_cosine() {
+        let (seen, factor) = lobe.seen(at);
+        let kernel = Kernel::lobe(seen.mirror(), lobe.exponent(), at.n);
+        integral(emitter, at.p, &kernel) * (factor * (lobe.exponent() + 1.0) / (2.0 * PI))
+    } else {
+        integral(emitter, at.p, &Kernel::density(at.mirror(), lobe, at.n))
+    };
+    BoundedResponse { irradiance, specular }
+}
+
+/// The specular response for a lobe that is no cosine, with a relative error of some 1e-5 in ordinary cases.
+pub fn quick_specular(emitter: &Emitter, at: &ShadingPoint, lobe: &Lobe) -> Estimate {
+    let kernel = Kernel::density(at.mirror(), lobe, at.n);
+    integral(emitter, at.p, &Kernel { tolerances: QUICK, ..kernel })
+}
+
+/// ∫ L(ω) weight(ω) dω over an emitter of unit strength.
+fn integral(emitter: &Emitter, p: DVec3, kernel: &Kernel) -> Estimate {
+    match emitter {
+        Emitter::Polygon(light) => polygon_reference(light, p, kernel),
+        Emitter::Line(light) => line_reference(light, p, kernel),
+        Emitter::Sphere(light) => sphere_reference(light, p, kernel),
+        Emitter::Disk(light) => disk_reference(light, p, kernel),
+        Emitter::Textured(light) => textured_reference(light, p, kernel),
+        Emitter::Cap(light) => cap_reference(light.to_center, light.half_angle, kernel),
         Emitter::Sky(light) => {
-            cap_reference(light.zenith, std::f64::consts::FRAC_PI_2, &kernel)
+            cap_reference(light.zenith, std::f64::consts::FRAC_PI_2, kernel)
                 * (light.uniform + light.cosine * 2.0 / 3.0)
         }
         Emitter::Point(light) => {
-            let to_light = light.position - at.p;
-            parallel(to_light.normalize_or_zero(), &kernel) * to_light.length_squared().max(f64::MIN_POSITIVE).recip()
+            let to_light = light.position - p;
+            parallel(to_light.normalize_or_zero(), kernel) * to_light.length_squared().max(f64::MIN_POSITIVE).recip()
         }
-        Emitter::Directional(light) => parallel(light.to_light, &kernel),
-    });
-    BoundedResponse { irradiance, specular: specular * normalisation }
+        Emitter::Directional(light) => parallel(light.to_light, kernel),
+    }
 }
 
 /// The weight of a single direction.

@@ -3,6 +3,7 @@
 mod cases;
 mod disk;
 mod line;
+mod lobes;
 mod one_shot;
 mod polygon;
 mod properties;

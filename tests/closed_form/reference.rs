@@ -27,9 +27,9 @@ fn check(model: &str, value: impl Fn(&Case) -> (Estimate, f64)) {
     }
 }
 
-fn kernel(case: &Case, axis: &str) -> Kernel {
+fn kernel(case: &Case, axis: &str) -> Kernel<'static> {
     let exponent = if axis == "N" { 1.0 } else { case.number("n") };
-    Kernel { axis: case.direction(axis), exponent, horizon: None }
+    Kernel::cosine_power(case.direction(axis), exponent)
 }
 
 /// What makes unit weight of a solid angle the normalised answer.
@@ -75,7 +75,7 @@ fn polygon_reference_holds_its_bound_on_every_case() {
     check("polygon_lambert", |case| polygon(case, &kernel(case, "N")));
     check("polygon_phong", |case| polygon(case, &kernel(case, "R")));
     check("polygon_phong_nclip", |case| {
-        polygon(case, &Kernel { horizon: Some(case.direction("N")), ..kernel(case, "R") })
+        polygon(case, &Kernel::lobe(case.direction("R"), case.number("n"), case.direction("N")))
     });
 }
 

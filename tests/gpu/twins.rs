@@ -101,7 +101,8 @@ fn falloff_cases(seed: u64, specular: bool) -> Vec<Case> {
         let falloff = if random.bits() & 1 == 0 { 2.0 } else { random.within(0.0, 3.0) };
         let (n, r) = (random.direction(), random.direction());
         let m = random.exponent();
-        let row = Row::default().vector(to_light).number(intensity).number(falloff).vector(n).vector(r).number(m);
+        let row = Row::default().vector(to_light).number(intensity).number(falloff).vector(n).vector(r);
+        let row = row.lobe(PhongLobe::new(m));
         let response = falloff_response(to_light, intensity, falloff, n, r, &PhongLobe::new(m));
         let scale = intensity / to_light.length().powf(falloff);
         if specular {
@@ -121,4 +122,33 @@ fn irradiance_of_a_point_light_matches() {
 #[test]
 fn specular_response_to_a_point_light_matches() {
     check(&twin::FALLOFF_SPECULAR, ("(m + 1.0)", "(m + 1.01)"), &falloff_cases(3, true));
+}
+
+#[test]
+fn density_of_every_lobe_matches() {
+    let mut random = Random(4);
+    let case = |i: u32| {
+        let m = random.exponent();
+        let lobe = match i % 4 {
+            0 => PhongLobe::new(m),
+            1 => PhongLobe::blinn(m),
+            2 => PhongLobe::cook_torrance(random.magnitude(0.02, 1.0), random.within(0.0, 1.0)),
+            _ => PhongLobe::lafortune(m, random.within(-1.0, 1.0), random.within(0.1, 1.0)),
+        };
+        let n = random.direction();
+        // Half of the directions are near the mirror direction, where narrow lobes are.
+        let r = above(n, random.direction());
+        let near = (r + 0.2 * random.direction()).normalize();
+        let w = above(n, rounded(if random.bits() & 1 == 0 { near } else { random.direction() }));
+        let row = Row::default().vector(n).vector(r).vector(w).lobe(lobe.clone());
+        let expected = lobe.density(n.normalize(), r.normalize(), w.normalize());
+        Case { row, expected, scale: (lobe.cosine_exponent() + 1.0) / std::f64::consts::TAU }
+    };
+    let cases: Vec<_> = (0..8000).map(case).collect();
+    check(&twin::LOBE_DENSITY, ("0.25 * distribution", "0.251 * distribution"), &cases);
+}
+
+/// The direction or its opposite, whichever is above the surface.
+fn above(n: DVec3, direction: DVec3) -> DVec3 {
+    if n.dot(direction) > 0.0 { direction } else { -direction }
 }

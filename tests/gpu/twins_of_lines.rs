@@ -64,9 +64,9 @@ impl Inputs {
     fn nearest_point(&self) -> Case {
         let lobe = PhongLobe::new(self.m);
         Case {
-            row: self.row().vector(self.r).number(self.m),
             expected: self.specular(Method::NearestPoint, &lobe),
             scale: line_scale(&self.light) * lobe.normalisation(),
+            row: self.row().vector(self.r).lobe(lobe),
         }
     }
 }

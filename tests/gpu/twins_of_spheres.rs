@@ -75,8 +75,9 @@ impl Inputs {
     fn cluster(&self, count: u32) -> Case {
         let (n, r) = (self.n(), self.r());
         let at = ShadingPoint { p: DVec3::ZERO, n, v: 2.0 * n.dot(r) * n - r };
-        let expected = sphere_cluster(&self.light, count, &at, &PhongLobe::new(self.m)).specular;
-        let row = self.row().number(count.into()).vector(self.n).vector(self.r).number(self.m);
+        let lobe = PhongLobe::new(self.m);
+        let expected = sphere_cluster(&self.light, count, &at, &lobe).specular;
+        let row = self.row().number(count.into()).vector(self.n).vector(self.r).lobe(lobe);
         Case { row, expected, scale: lobe_scale(sphere_solid_angle(&self.light), self.m) }
     }
 }

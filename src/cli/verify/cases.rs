@@ -290,7 +290,7 @@ impl Check {
                 match self.part {
                     Part::Irradiance => cap_reference(center, half_angle, &Kernel::cosine(axis)) * self.factor,
                     Part::Specular => {
-                        let kernel = Kernel { axis, exponent: self.lobe.exponent(), horizon: None };
+                        let kernel = Kernel::cosine_power(axis, self.lobe.exponent());
                         cap_reference(center, half_angle, &kernel) * self.lobe.normalisation()
                     }
                 }

@@ -137,7 +137,7 @@ impl Asked {
     fn reference(&self) -> Estimate {
         let kernel = match &self.lobe {
             None => Kernel::cosine(self.at.n),
-            Some(lobe) => Kernel { axis: self.at.n, exponent: lobe.exponent(), horizon: None },
+            Some(lobe) => Kernel::cosine_power(self.at.n, lobe.exponent()),
         };
         match self.image() {
             Some(image) => {

@@ -19,12 +19,11 @@ const TUBE = 3u;
 @group(1) @binding(0) var<uniform> cluster_light: ClusterLight;
 
 fn cluster_respond(at: Shading) -> Response {
-    let m = lobes[at.lobe].exponent;
     var sum = Response(0.0, 0.0);
     for (var i = 0u; i < cluster_light.count; i++) {
         let to_light = vertices[i].xyz - at.p;
         let intensity = vertices[i].w * emission_cosine(to_light);
-        let response = falloff_response(to_light, intensity, cluster_light.falloff, at.n, at.r, m);
+        let response = falloff_response(to_light, intensity, cluster_light.falloff, at.n, at.r, at.lobe);
         sum.irradiance += response.irradiance;
         sum.specular += response.specular;
     }

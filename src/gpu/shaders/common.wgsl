@@ -20,7 +20,7 @@ struct Response {
     specular: f32,
 }
 
-// A material's Phong lobe: exponent m, and what `shading::Lobe` and `gpu::lobes` know of it.
+// A material's lobe: exponent m, and what `shading::Lobe` and `gpu::lobes` know of it.
 struct Lobe {
     exponent: f32,
     // The angle beyond which the Chebyshev fit is 0, and its tangent.
@@ -28,12 +28,24 @@ struct Lobe {
     chebyshev_tan_cut: f32,
     // Cells of the table of ∫cosᵐφ dφ a unit of its u.
     cosine_cells: f32,
+    // PHONG, LAFORTUNE, BLINN or COOK_TORRANCE.
+    model: u32,
+    // Of the cosine lobe that is as wide.
+    cosine_exponent: f32,
+    // Lafortune: tangential and normal factor. Blinn: norm. Cook and Torrance: slope and reflectance.
+    parameters: vec2f,
     // Coefficients of the powers of 2φ/cut − 1, the constant first: of the fit, and of its mean from 0.
     chebyshev: array<vec4f, 4>,
     chebyshev_mean: array<vec4f, 4>,
     // Cubics in the part of a cell.
     cosine_integral: array<vec4f, 64>,
 }
+
+// The first two are cosines about an axis.
+const PHONG = 0u;
+const LAFORTUNE = 1u;
+const BLINN = 2u;
+const COOK_TORRANCE = 3u;
 
 @group(0) @binding(2) var<storage, read> lobes: array<Lobe>;
 
@@ -90,4 +102,41 @@ fn arctangent(y: f32, x: f32) -> f32 {
     angle = select(angle, HALF_PI - angle, ay > ax);
     angle = select(angle, PI - angle, x < 0.0);
     return select(angle, -angle, y < 0.0);
+}
+
+// ρ in the unit direction w, 1/sr; of Lafortune's lobe about its axis r, without its factor.
+fn lobe_density(lobe: u32, n: vec3f, r: vec3f, w: vec3f) -> f32 {
+    let m = lobes[lobe].exponent;
+    let model = lobes[lobe].model;
+    if model <= LAFORTUNE {
+        return lobe_normalization(m) * lobe_power(r, w, m);
+    }
+    let sum = 2.0 * dot(n, r) * n - r + w;
+    let h = sum * inverseSqrt(max(dot(sum, sum), 1e-30));
+    let parameters = lobes[lobe].parameters;
+    if model == BLINN {
+        return parameters.x * lobe_power(n, h, m);
+    }
+    return cook_torrance(parameters.x, parameters.y, n, r, w, h);
+}
+
+// D·G·F/(4 n·v).
+fn cook_torrance(slope: f32, reflectance: f32, n: vec3f, r: vec3f, w: vec3f, h: vec3f) -> f32 {
+    let cos_h = dot(n, h);
+    let cos_v = dot(n, r);
+    let cos_w = dot(n, w);
+    let cos_half = dot(w, h);
+    if min(min(cos_h, cos_v), min(cos_w, cos_half)) <= 1e-15 {
+        return 0.0;
+    }
+    let sine = cross(n, h);
+    let square = cos_h * cos_h;
+    let slope_square = slope * slope;
+    let distribution = exp(-dot(sine, sine) / (square * slope_square)) / (PI * slope_square * square * square);
+    let groove = 2.0 * cos_h / cos_half;
+    let shadowing = min(min(1.0 / cos_v, groove), groove * cos_w / cos_v);
+    let part = max(1.0 - cos_half, 0.0);
+    let part_square = part * part;
+    let fresnel = reflectance + (1.0 - reflectance) * part_square * part_square * part;
+    return 0.25 * distribution * shadowing * fresnel;
 }

@@ -39,7 +39,7 @@ fn line_respond_fit(at: Shading, quads: u32) -> Response {
 fn line_respond_nearest_point(at: Shading) -> Response {
     let line = line_seen(at);
     let intensity = distance(line_light.a, line_light.b);
-    let specular = line_nearest_point_of(line, at.r, lobes[at.lobe].exponent, 2.0, intensity);
+    let specular = line_nearest_point_of(line, at.r, at.lobe, 2.0, intensity);
     return Response(line_irradiance_plain(line_light.a - at.p, line_light.b - at.p, at.n), specular);
 }
 
@@ -62,7 +62,7 @@ fn line_respond_nearest_point_decaying(at: Shading) -> Response {
     let line = line_seen(at);
     let decay = line_decay(line, line_light.falloff, line_light.diameter);
     let intensity = distance(line_light.a, line_light.b);
-    let specular = line_nearest_point_of(line, at.r, lobes[at.lobe].exponent, line_light.falloff, intensity);
+    let specular = line_nearest_point_of(line, at.r, at.lobe, line_light.falloff, intensity);
     let irradiance = decay.gain * line_irradiance_of(line, at.n, decay.falloff);
     return Response(irradiance, specular * line_emission(line, at.r, line_light.diameter));
 }
@@ -105,10 +105,10 @@ fn line_chebyshev(a: vec3f, b: vec3f, n: vec3f, r: vec3f, falloff: f32, diameter
 }
 
 // With (m + 1)/2π, and the line's whole intensity.
-fn line_nearest_point(a: vec3f, b: vec3f, n: vec3f, r: vec3f, m: f32, falloff: f32, diameter: f32) -> f32 {
+fn line_nearest_point(a: vec3f, b: vec3f, n: vec3f, r: vec3f, lobe: u32, falloff: f32, diameter: f32) -> f32 {
     let line = line_above(line_frame(a, b), n);
     let emission = line_emission(line, r, diameter);
-    return emission * line_nearest_point_of(line, r, m, falloff, distance(a, b));
+    return emission * line_nearest_point_of(line, r, lobe, falloff, distance(a, b));
 }
 
 // The isotropic line that a light is `gain` times.
@@ -562,9 +562,9 @@ fn line_chebyshev_sum(line: LineFrame, lobe: LineLobe, falloff: f32, lobe_index:
 }
 
 // The light's `intensity` at its point of least angle to r.
-fn line_nearest_point_of(line: LineFrame, r: vec3f, m: f32, falloff: f32, intensity: f32) -> f32 {
+fn line_nearest_point_of(line: LineFrame, r: vec3f, lobe: u32, falloff: f32, intensity: f32) -> f32 {
     let nearest = line_nearest_of(line, r);
-    let specular = falloff_response(nearest, intensity, falloff, nearest, r, m).specular;
+    let specular = falloff_response(nearest, intensity, falloff, nearest, r, lobe).specular;
     return select(0.0, specular, line.length > 0.0);
 }
 

@@ -16,6 +16,8 @@ struct OneShotLight {
     two_sided: u32,
     // Binary logarithms of the specular radius over |pt| at the exponents 3/16, 3/4, 3, 12, 48, 192.
     shares: array<vec4f, 2>,
+    // The pattern is the same all round its centre.
+    is_round: u32,
 }
 
 @group(1) @binding(0) var<uniform> one_shot_light: OneShotLight;
@@ -86,7 +88,7 @@ fn one_shot_response(at: Shading, rule: u32) -> Response {
     let diffuse_radius = one_shot_radius(diffuse.distance, one_shot_light.alpha, 1.0, one_shot_light.radius, rule);
     let irradiance = diffuse.falloff * max(diffuse.cosine, 0.0) * one_shot_sum(diffuse.place, diffuse_radius, rule);
 
-    let m = lobes[at.lobe].exponent;
+    let m = lobes[at.lobe].cosine_exponent;
     let specular = brightest(view, at.r, m);
     if dot(at.n, specular.to_light) <= 0.0 {
         return Response(irradiance, 0.0);
@@ -96,7 +98,7 @@ fn one_shot_response(at: Shading, rule: u32) -> Response {
         share = specular_share(m);
     }
     let radius = one_shot_radius(specular.distance, share, m, one_shot_light.radius * 7.0 / 6.0, rule);
-    let density = lobe_normalization(m) * power(specular.cosine, m);
+    let density = lobe_density(at.lobe, at.n, at.r, specular.to_light / specular.distance);
     return Response(irradiance, specular.falloff * density * one_shot_sum(specular.place, radius, rule));
 }
 
@@ -152,7 +154,8 @@ fn specular_share(m: f32) -> f32 {
     return exp2(mix(low, high, clamped - f32(first)) - max(place - last, 0.0));
 }
 
-fn one_shot_sum(at: vec2f, radius: f32, rule: u32) -> f32 {
+fn one_shot_sum(place: vec2f, radius: f32, rule: u32) -> f32 {
+    let at = select(place, vec2f(length(place), 0.0), one_shot_light.is_round != 0u);
     if rule == SQUARE {
         return square_sum(at, radius);
     }

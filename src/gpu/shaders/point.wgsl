@@ -18,15 +18,15 @@ const CONTACT_SQUARED = 1e-30;
 @group(1) @binding(0) var<uniform> directional_light: DirectionalLight;
 
 fn point_respond(at: Shading) -> Response {
-    return falloff_response(point_light.position - at.p, 1.0, 2.0, at.n, at.r, lobes[at.lobe].exponent);
+    return falloff_response(point_light.position - at.p, 1.0, 2.0, at.n, at.r, at.lobe);
 }
 
 fn directional_respond(at: Shading) -> Response {
-    return direction_response(directional_light.to_light, 1.0, at.n, at.r, lobes[at.lobe].exponent);
+    return direction_response(directional_light.to_light, 1.0, at.n, at.r, at.lobe);
 }
 
 // Response to a point light of `intensity` at `to_light` from the point, that falls off as 1/dⁿ.
-fn falloff_response(to_light: vec3f, intensity: f32, falloff: f32, n: vec3f, r: vec3f, m: f32) -> Response {
+fn falloff_response(to_light: vec3f, intensity: f32, falloff: f32, n: vec3f, r: vec3f, lobe: u32) -> Response {
     let square = dot(to_light, to_light);
     if square < CONTACT_SQUARED {
         return Response(0.0, 0.0);
@@ -36,14 +36,14 @@ fn falloff_response(to_light: vec3f, intensity: f32, falloff: f32, n: vec3f, r: 
     if falloff != 2.0 {
         attenuation = power(inverse, falloff);
     }
-    return direction_response(to_light * inverse, intensity * attenuation, n, r, m);
+    return direction_response(to_light * inverse, intensity * attenuation, n, r, lobe);
 }
 
 // Response to parallel light of `illuminance` from the unit direction `w`.
-fn direction_response(w: vec3f, illuminance: f32, n: vec3f, r: vec3f, m: f32) -> Response {
+fn direction_response(w: vec3f, illuminance: f32, n: vec3f, r: vec3f, lobe: u32) -> Response {
     let cos_n = dot(n, w);
     if cos_n <= 0.0 {
         return Response(0.0, 0.0);
     }
-    return Response(illuminance * cos_n, illuminance * lobe_normalization(m) * lobe_power(r, w, m));
+    return Response(illuminance * cos_n, illuminance * lobe_density(lobe, n, r, w));
 }

@@ -29,7 +29,7 @@ fn sphere_respond_hermite_2(at: Shading) -> Response {
 
 fn sphere_respond_cluster(at: Shading) -> Response {
     let to_center = sphere_light.center - at.p;
-    return sphere_cluster(to_center, sphere_light.radius, sphere_light.count, at.n, at.r, lobes[at.lobe].exponent);
+    return sphere_cluster(to_center, sphere_light.radius, sphere_light.count, at.n, at.r, at.lobe);
 }
 
 fn sphere_specular(at: Shading, to_center: vec3f) -> f32 {
@@ -168,7 +168,7 @@ fn hermite(start: vec2f, stop: vec2f, width: f32, x: f32) -> f32 {
 }
 
 // Directions spread evenly over the cap, each of the same solid angle.
-fn sphere_cluster(to_center: vec3f, radius: f32, count: u32, n: vec3f, r: vec3f, m: f32) -> Response {
+fn sphere_cluster(to_center: vec3f, radius: f32, count: u32, n: vec3f, r: vec3f, lobe: u32) -> Response {
     let cap = cap_of_sphere(to_center, radius, n);
     let depth = cap.sin_sigma * cap.sin_sigma / (1.0 + cap.cos_sigma);
     let part = 2.0 * PI * depth / f32(count);
@@ -182,7 +182,7 @@ fn sphere_cluster(to_center: vec3f, radius: f32, count: u32, n: vec3f, r: vec3f,
     for (var i = 0u; i < count; i++) {
         let fall = depth * (f32(i) + 0.5) / f32(count);
         let across = sqrt(fall * (2.0 - fall)) * azimuth;
-        let response = direction_response((1.0 - fall) * c + across.x * x_axis + across.y * y_axis, part, n, r, m);
+        let response = direction_response((1.0 - fall) * c + across.x * x_axis + across.y * y_axis, part, n, r, lobe);
         sum.irradiance += response.irradiance;
         sum.specular += response.specular;
         // Cosine and sine of the golden angle π(3 − √5).

@@ -37,6 +37,8 @@ pub struct Frame {
     pub two_sided: bool,
     /// Side of a texel in metres.
     pub texel: f64,
+    /// The pattern is the same all round its centre.
+    pub is_round: bool,
 }
 
 impl Grid {
@@ -180,6 +182,7 @@ impl Frame {
             normal: light.normal,
             two_sided: light.two_sided,
             texel,
+            is_round: false,
         };
         Some((frame, sides / texel))
     }
@@ -195,7 +198,8 @@ impl Frame {
         let high = corners.iter().copied().reduce(DVec2::max)?;
         let (middle, texel) = (0.5 * (low + high), (high - low).max_element() / SIDE as f64);
         let center = first + middle.x * axis_u + middle.y * axis_v;
-        let frame = Self { center, axis_u, axis_v, normal: light.normal, two_sided: light.two_sided, texel };
+        let (normal, two_sided) = (light.normal, light.two_sided);
+        let frame = Self { center, axis_u, axis_v, normal, two_sided, texel, is_round: false };
         (texel > 0.0).then(|| (frame, corners.iter().map(|corner| (corner - middle) / texel).collect()))
     }
 
@@ -204,7 +208,7 @@ impl Frame {
         let (axis_u, axis_v) = light.normal.any_orthonormal_pair();
         let texel = light.radius / HALF;
         let DiskEmitter { center, normal, two_sided, .. } = *light;
-        Self { center, axis_u, axis_v, normal, two_sided, texel }
+        Self { center, axis_u, axis_v, normal, two_sided, texel, is_round: true }
     }
 
     /// A vector of the world in texels along the grid's axes.

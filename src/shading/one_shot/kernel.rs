@@ -269,7 +269,8 @@ impl Lines {
                 }
             }
         }
-        sum / f64::from(cuts)
+        // Rounding may leave less than nothing of a chord that holds none.
+        (sum / f64::from(cuts)).max(0.0)
     }
 }
 

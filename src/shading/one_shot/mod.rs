@@ -21,7 +21,7 @@ pub use prefiltered::{KNOTS, Kernel, Prefiltered};
 
 use std::sync::Arc;
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
 use super::{Lobe, Method, Response, ShadingPoint};
 use crate::light::Emitter;
@@ -116,15 +116,15 @@ impl OneShot {
         let irradiance = view
             .brightest(&axis(at.n), 1.0)
             .map_or(0.0, |spot| spot.falloff * spot.cosine.max(0.0) * self.intensity(&spot, Component::Diffuse));
-        let r = at.mirror();
-        let n = lobe.cosine_exponent();
+        let (seen, factor) = lobe.seen(at);
+        let (r, n) = (seen.mirror(), lobe.cosine_exponent());
         let specular = view.brightest(&axis(r), n).map_or(0.0, |spot| {
             let Frame { axis_u, axis_v, .. } = self.frame;
             let w = (spot.step.x * axis_u + spot.step.y * axis_v + view.height * ahead) / spot.distance;
             if at.n.dot(w) <= 0.0 {
                 return 0.0;
             }
-            spot.falloff * lobe.density(at.n, r, w) * self.intensity(&spot, Component::Specular(n))
+            factor * spot.falloff * lobe.density(at.n, r, w) * self.intensity(&spot, Component::Specular(n))
         });
         Response { irradiance, specular }
     }
@@ -149,7 +149,9 @@ impl OneShot {
             (Radius::Fitted(kernel), Component::Diffuse) => self.pattern.alpha(kernel) * spot.distance,
             (Radius::Fitted(kernel), Component::Specular(n)) => self.pattern.specular_share(kernel, n) * spot.distance,
         };
-        self.pattern.sum(self.radius.kernel(), spot.place, radius)
+        // Along a round pattern's first axis, so that it is round by its table too.
+        let place = if self.frame.is_round { DVec2::new(spot.place.length(), 0.0) } else { spot.place };
+        self.pattern.sum(self.radius.kernel(), place, radius)
     }
 }
 

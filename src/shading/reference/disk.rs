@@ -4,7 +4,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use glam::DVec3;
 
-use super::{INNER, Kernel, OUTER, split};
+use super::{Kernel, split};
 use crate::light::DiskEmitter;
 use crate::math::quadrature::{Estimate, adaptive, adaptive_graded};
 
@@ -19,7 +19,7 @@ pub fn disk_reference(light: &DiskEmitter, p: DVec3, kernel: &Kernel) -> Estimat
         return Estimate::default();
     }
     let fan = Fan::new(light, to_center, height);
-    let estimate = adaptive_graded(&fan.breaks(kernel), OUTER, |angle| fan.row(angle, kernel));
+    let estimate = adaptive_graded(&fan.breaks(kernel), kernel.outer(), |angle| fan.row(angle, kernel));
     // The height above the disk's plane is known to the rounding of its terms.
     let rounding = 16.0 * f64::EPSILON * (1.0 + to_center.length() / height.abs());
     Estimate { error: estimate.error + rounding * estimate.value, ..estimate }
@@ -85,6 +85,8 @@ impl Fan {
         let breaks = split(-end, end, horizon_ends.chain(kernel.peak_offsets().map(|offset| peak + offset)));
         let direction = |phi: f64| phi.cos() * outward + phi.sin() * along;
         let visible = breaks.windows(2).filter(|ends| kernel.sees(direction(0.5 * (ends[0] + ends[1]))));
-        adaptive(visible.map(|ends| (ends[0], ends[1])), INNER, |phi| kernel.weight(direction(phi)) * phi.cos())
+        adaptive(visible.map(|ends| (ends[0], ends[1])), kernel.inner(), |phi| {
+            kernel.weight(direction(phi)) * phi.cos()
+        })
     }
 }

@@ -4,7 +4,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use glam::DVec3;
 
-use super::{INNER, Kernel, OUTER, split};
+use super::{Kernel, split};
 use crate::light::PolygonEmitter;
 use crate::math::quadrature::{Estimate, adaptive, adaptive_graded};
 
@@ -23,7 +23,7 @@ pub fn polygon_reference(light: &PolygonEmitter, p: DVec3, kernel: &Kernel) -> E
     let both = kernel.horizon.map(|normal| normal.cross(kernel.axis));
     let meeting = both.into_iter().flat_map(|at| [view.longitude_of_peak(at).0, view.longitude_of_peak(-at).0]);
     let breaks = split(lo, hi, corners.chain(crossings).chain(peaks).chain(meeting));
-    let estimate = adaptive_graded(&breaks, OUTER, |beta| view.row(beta, kernel));
+    let estimate = adaptive_graded(&breaks, kernel.outer(), |beta| view.row(beta, kernel));
     // What the rounding of the inputs about p may do: to the width seen, to the height, and to the size.
     let conditioning = (hi - lo).max(f64::MIN_POSITIVE).recip() + view.reach / view.height + view.reach / view.size;
     Estimate { error: estimate.error + 8.0 * f64::EPSILON * conditioning * estimate.value, ..estimate }
@@ -111,7 +111,7 @@ impl View {
             let breaks = split(ends[0], ends[1], horizon_ends.chain(kernel.peak_offsets().map(|offset| peak + offset)));
             let visible = breaks.windows(2).filter(|ends| kernel.sees(direction(0.5 * (ends[0] + ends[1]))));
             sum = sum
-                + adaptive(visible.map(|ends| (ends[0], ends[1])), INNER, |phi| {
+                + adaptive(visible.map(|ends| (ends[0], ends[1])), kernel.inner(), |phi| {
                     kernel.weight(direction(phi)) * phi.cos()
                 });
         }

@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use glam::DVec3;
 
-use super::{INNER, Kernel, OUTER, split};
+use super::{Kernel, split};
 use crate::light::SphereEmitter;
 use crate::math::quadrature::{Estimate, adaptive, adaptive_graded};
 
@@ -29,7 +29,7 @@ pub fn cap_reference(center: DVec3, half_angle: f64, kernel: &Kernel) -> Estimat
     let peak = cap.polar(kernel.axis);
     let peaks = kernel.peak_offsets().map(|offset| peak + offset);
     let breaks = split(0.0, half_angle, touching.chain(corners).chain(peaks));
-    let estimate = adaptive_graded(&breaks, OUTER, |theta| cap.ring(theta, kernel));
+    let estimate = adaptive_graded(&breaks, kernel.outer(), |theta| cap.ring(theta, kernel));
     Estimate { error: estimate.error + 16.0 * f64::EPSILON * estimate.value, ..estimate }
 }
 
@@ -81,7 +81,8 @@ impl Cap {
         };
         let breaks = split(-PI, PI, horizon_ends.chain(peaks).map(around));
         let visible = breaks.windows(2).filter(|ends| kernel.sees(direction(0.5 * (ends[0] + ends[1]))));
-        let ring = adaptive(visible.map(|ends| (ends[0], ends[1])), INNER, |alpha| kernel.weight(direction(alpha)));
+        let ring =
+            adaptive(visible.map(|ends| (ends[0], ends[1])), kernel.inner(), |alpha| kernel.weight(direction(alpha)));
         ring * sine
     }
 }

@@ -5,7 +5,7 @@ use std::sync::LazyLock;
 
 use glam::DVec3;
 
-use super::{INNER, Kernel, OUTER, split};
+use super::{Kernel, split};
 use crate::light::TexturedEmitter;
 use crate::math::quadrature::{Estimate, GaussLegendre, adaptive, adaptive_graded};
 
@@ -140,7 +140,7 @@ impl Rectangle {
         let across = luminance.breaks_across().into_iter().map(|v| view.longitude(view.bottom + v * view.depth));
         let breaks = crossings.chain(peaks).chain(meetings).chain(across);
         let breaks = split(view.longitude(bottom), view.longitude(top), breaks);
-        let estimate = adaptive_graded(&breaks, OUTER, |beta| view.row(beta, kernel, luminance));
+        let estimate = adaptive_graded(&breaks, kernel.outer(), |beta| view.row(beta, kernel, luminance));
         let width = (view.longitude(top) - view.longitude(bottom)).max(f64::MIN_POSITIVE);
         let reach = self.corners().into_iter().map(|corner| corner.length()).fold(0.0, f64::max);
         let conditioning = width.recip() + reach / view.height + reach / view.width.min(view.depth);
@@ -212,7 +212,7 @@ impl View {
         let ends = [self.left, self.left + self.width].map(latitude);
         let breaks = split(ends[0], ends[1], horizon_ends.chain(peaks).chain(along_row));
         let visible = breaks.windows(2).filter(|ends| kernel.sees(direction(0.5 * (ends[0] + ends[1]))));
-        adaptive(visible.map(|ends| (ends[0], ends[1])), INNER, |phi| {
+        adaptive(visible.map(|ends| (ends[0], ends[1])), kernel.inner(), |phi| {
             let u = (distance * phi.tan() - self.left) / self.width;
             kernel.weight(direction(phi)) * (luminance.at(u, v) * phi.cos())
         })

@@ -147,7 +147,6 @@ fn become_model(material: &mut Material, model: ReflectionModel) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::shading::Lobe;
     use glam::DVec3;
 
     fn material(model: ReflectionModel, exponent: f64) -> Material {
@@ -176,12 +175,7 @@ mod tests {
 
     /// Radiance of the lobe in a direction turned from the mirror direction by `angle`, seen along the normal.
     fn seen(material: &Material, angle: f64) -> f64 {
-        let lobe = match material.model {
-            ReflectionModel::Phong {} => Lobe::new(material.exponent),
-            ReflectionModel::Blinn {} => Lobe::blinn(material.exponent),
-            ReflectionModel::CookTorrance { roughness, reflectance } => Lobe::cook_torrance(roughness, reflectance),
-            ReflectionModel::Lafortune { tangential, normal } => Lobe::lafortune(material.exponent, tangential, normal),
-        };
+        let lobe = crate::render::lobe_of(material);
         material.specular.x * lobe.density(DVec3::Z, DVec3::Z, DVec3::new(angle.sin(), 0.0, angle.cos()))
     }
 
