@@ -19,6 +19,8 @@ pub(super) struct Axis {
     /// Where these lie in the picture.
     pub(super) sides: [f64; 2],
     steps: Steps,
+    /// The step to which the span was widened, so that both its ends are labelled.
+    step: Option<f64>,
 }
 
 /// A value that is labelled, and its label.
@@ -31,23 +33,20 @@ pub(super) struct Tick {
 impl Axis {
     /// An axis over a span that is not empty, and positive for [`Steps::Decades`].
     pub(super) fn new(span: [f64; 2], sides: [f64; 2], steps: Steps) -> Self {
-        Self { span, sides, steps }
+        Self { span, sides, steps, step: None }
     }
 
     /// An axis whose span is widened to the labels around it, about `count` of them.
     pub(super) fn widened(span: [f64; 2], sides: [f64; 2], steps: Steps, count: f64) -> Self {
         let [low, high] = span;
-        let span = match steps {
-            Steps::Decades => {
-                let first = low.log10().floor();
-                [first, high.log10().ceil().max(first + 1.0)].map(|exponent| 10_f64.powf(exponent))
-            }
-            _ => {
-                let step = step(span, steps, count);
-                [(low / step + 1e-9).floor() * step, (high / step - 1e-9).ceil() * step]
-            }
-        };
-        Self { span, sides, steps }
+        if steps == Steps::Decades {
+            let first = low.log10().floor();
+            let span = [first, high.log10().ceil().max(first + 1.0)].map(|exponent| 10_f64.powf(exponent));
+            return Self::new(span, sides, steps);
+        }
+        let step = step(span, steps, count);
+        let span = [(low / step + 1e-9).floor() * step, (high / step - 1e-9).ceil() * step];
+        Self { span, sides, steps, step: Some(step) }
     }
 
     /// Where a value lies; none where a logarithmic axis has no place for it.
@@ -65,7 +64,7 @@ impl Axis {
         match self.steps {
             Steps::Decades => self.decades(count),
             _ => {
-                let step = step(self.span, self.steps, count);
+                let step = self.step.unwrap_or_else(|| step(self.span, self.steps, count));
                 let multiples =
                     whole((self.span[0] / step - 1e-9).ceil())..=whole((self.span[1] / step + 1e-9).floor());
                 multiples.map(|i| tick(f64::from(i) * step, step)).collect()
@@ -169,6 +168,19 @@ mod tests {
         check([-360.0, 360.0], Steps::Degrees, 4.0, "\u{2212}360 \u{2212}180 0 180 360");
         check([0.1, 20.0], Steps::Decades, 6.0, "0.1 0.2 0.5 1 2 5 10 20");
         check([0.001, 1e6], Steps::Decades, 5.0, "0.01 1 100 10000 10^6");
+    }
+
+    #[test]
+    fn both_ends_of_a_widened_axis_are_labelled() {
+        for high in [0.3, 0.9, 1.1, 3.9, 7.3, 41.0] {
+            for count in [4.0, 6.0] {
+                let axis = Axis::widened([-0.9 * high, high], [0.0, 1.0], Steps::Decimal, count);
+                let ticks = axis.ticks(count);
+                let ends = [ticks.first(), ticks.last()].map(|tick| tick.expect("labels").value);
+                let apart = (ends[0] - axis.span[0]).abs().max((ends[1] - axis.span[1]).abs());
+                assert!(apart < 1e-9 * high, "{ends:?} of {:?}", axis.span);
+            }
+        }
     }
 
     #[test]

@@ -10,6 +10,9 @@ use crate::shading::Method;
 /// Distance of an ordinate's name from the axis.
 const NAME_OFFSET: f64 = 60.0;
 
+/// Curves are cut off this far outside the frame.
+const MARGIN: f64 = 1.5;
+
 /// A pair of axes.
 pub(super) struct Frame {
     pub(super) x: Axis,
@@ -22,10 +25,12 @@ impl Frame {
     /// Grid lines and numbers; those of the abscissa are optional.
     pub(super) fn grid(&self, svg: &mut String, numbers_below: bool) {
         let ([left, right], [bottom, top]) = (self.x.sides, self.y.sides);
-        let (width, height) = (right - left, bottom - top);
+        let height = bottom - top;
         let clip = &self.clip;
-        let region = format!("x=\"{left}\" y=\"{top}\" width=\"{width}\" height=\"{height}\"");
-        let _ = writeln!(svg, "<clipPath id=\"{clip}\"><rect {region}/></clipPath>");
+        // A curve along the frame keeps its whole width.
+        let corner = format!("x=\"{}\" y=\"{}\"", left - MARGIN, top - MARGIN);
+        let size = format!("width=\"{}\" height=\"{}\"", right - left + 2.0 * MARGIN, height + 2.0 * MARGIN);
+        let _ = writeln!(svg, "<clipPath id=\"{clip}\"><rect {corner} {size}/></clipPath>");
         for tick in self.x.ticks(8.0) {
             let Some(x) = self.x.at(tick.value) else { continue };
             let _ = writeln!(svg, "<path d=\"M{x:.2} {bottom}V{top}\" stroke=\"{GRID}\"/>");
