@@ -6,6 +6,7 @@ mod legend;
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
 
 use egui::{Ui, vec2};
 use egui_material_icons::icons;
@@ -23,6 +24,10 @@ use crate::surface::Material;
 
 /// Points on each curve.
 const SAMPLES: usize = 241;
+/// Points on each curve that is shown first where all of them take long.
+const FIRST_SAMPLES: usize = 31;
+/// Curves through [`FIRST_SAMPLES`] points that take longer than this are shown before those through all.
+const PATIENCE: Duration = Duration::from_millis(40);
 /// Width of the legend, points.
 const LEGEND_WIDTH: f32 = 330.0;
 /// The error plot's share of the height.
@@ -119,16 +124,25 @@ impl Plots {
     }
 }
 
-/// All curves but the slow reference, which follows when it is done.
+/// All curves but the slow reference, which follows when it is done. Where even the exact curve is by quadrature, as of
+/// patterns, all are shown through few points first.
 ///
-/// Only the reference is given up when something newer is asked for: were the quick ones too, a steady drag would show
-/// nothing at all.
+/// What takes long is given up when something newer is asked for, but never what is shown first: were that too, a
+/// steady drag would show nothing at all.
 fn work(subject: Arc<Subject>, cancel: &AtomicBool, answer: &mut dyn FnMut(Answer)) {
     let scene = Scene { lights: subject.lights.clone(), materials: subject.materials.clone(), ..Scene::default() };
     let (reference, quick): (Vec<Method>, Vec<Method>) =
         methods_for(&scene).into_iter().partition(|method| *method == Method::Reference);
     let never = AtomicBool::new(false);
-    let Some(mut all) = curves(&scene, &subject.plot, &quick, SAMPLES, &never) else { return };
+    let start = Instant::now();
+    let Some(first) = curves(&scene, &subject.plot, &quick, FIRST_SAMPLES, &never) else { return };
+    let is_slow = start.elapsed() > PATIENCE;
+    if is_slow {
+        answer(Answer { subject: Arc::clone(&subject), curves: first });
+    }
+    let Some(mut all) = curves(&scene, &subject.plot, &quick, SAMPLES, if is_slow { cancel } else { &never }) else {
+        return;
+    };
     answer(Answer { subject: Arc::clone(&subject), curves: all.clone() });
     if reference.is_empty() || cancel.load(Ordering::Relaxed) {
         return;
