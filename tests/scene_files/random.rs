@@ -1,7 +1,11 @@
 //! Random scenes, and random damage to a file.
 
+use std::path::Path;
+use std::sync::OnceLock;
+
 use glam::{DVec2, DVec3};
 use proptest::prelude::*;
+use softbox::light::pattern::Pattern;
 use softbox::light::{self, Light, Quantity, Tint};
 use softbox::scene::{self, Camera, Display, Plot, PlotKind, PlotQuantity, Scene};
 use softbox::surface::{self, Material, ReflectionModel, Surface};
@@ -33,16 +37,60 @@ fn light_shape() -> impl Strategy<Value = light::Shape> {
         let vertices = radii.iter().enumerate().map(|(i, r)| *r * DVec2::from_angle(turn * i as f64)).collect();
         light::Shape::Polygon(light::Polygon { vertices, two_sided })
     });
-    let line = (positive(), 0.0..=3.0, proptest::option::of(positive())).prop_map(|(length, falloff, radius)| {
-        let line = radius.map_or_else(|| light::Line::isotropic(length), |radius| light::Line::tube(length, radius));
-        light::Line { falloff, ..line }
+    let isotropic = positive().prop_map(light::Line::isotropic);
+    let tube = (positive(), positive()).prop_map(|(length, radius)| light::Line::tube(length, radius));
+    let line = (prop_oneof![isotropic, tube], 0.0..=3.0)
+        .prop_map(|(line, falloff)| light::Shape::Line(light::Line { falloff, ..line }));
+    let disk = (positive(), any::<bool>())
+        .prop_map(|(radius, two_sided)| light::Shape::Disk(light::Disk { radius, two_sided }));
+    let textured = ([positive(), positive()], file_name(), any::<bool>()).prop_map(|(size, file, two_sided)| {
+        let pattern = Pattern { file, ..pattern() };
+        light::Shape::Textured(light::Textured { size: size.into(), pattern, two_sided })
     });
+    let sky = (0.01..10.0, prop_oneof![0.01..10.0, Just(0.0)])
+        .prop_map(|(uniform, cosine)| light::Shape::Sky(light::Sky { uniform, cosine }));
     prop_oneof![
         polygon,
-        line.prop_map(light::Shape::Line),
+        line,
+        disk,
+        textured,
+        sky,
         positive().prop_map(|radius| light::Shape::Sphere(light::Sphere { radius })),
+        (1e-3..=90.0).prop_map(|half_angle_deg| light::Shape::Cap(light::Cap { half_angle_deg })),
         Just(light::Shape::Point(light::Point {})),
         Just(light::Shape::Directional(light::Directional {})),
+    ]
+}
+
+/// Names of files below the scene's folder, with what TOML must escape.
+fn file_name() -> impl Strategy<Value = String> {
+    r#"([a-z]{1,4}/)?[a-z"\u{e9}' ]{0,6}[a-z]\.png"#
+}
+
+/// The file that every pattern here is read from.
+const PICTURE: &[u8] = include_bytes!("../../presets/scenes/textures/lattice.png");
+
+/// What is in that file.
+fn pattern() -> Pattern {
+    static PATTERN: OnceLock<Pattern> = OnceLock::new();
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("presets/scenes/textures/lattice.png");
+    PATTERN.get_or_init(|| scene::import_pattern(&path, None).expect("a picture")).clone()
+}
+
+/// Read a scene whose patterns all have the same picture.
+fn read(text: &str) -> Result<Scene, TestCaseError> {
+    let read = scene::parse_with(text, "any.toml", |_| Ok(PICTURE.to_vec()));
+    read.map_err(|error| TestCaseError::fail(format!("{error}\n{text}")))
+}
+
+fn any_model() -> impl Strategy<Value = ReflectionModel> {
+    let factor = || prop_oneof![-1.0..-0.01, 0.01..1.0];
+    prop_oneof![
+        Just(ReflectionModel::Phong {}),
+        Just(ReflectionModel::Blinn {}),
+        (0.01..=1.0, 0.0..=1.0)
+            .prop_map(|(roughness, reflectance)| ReflectionModel::CookTorrance { roughness, reflectance }),
+        (factor(), factor()).prop_map(|(tangential, normal)| ReflectionModel::Lafortune { tangential, normal }),
     ]
 }
 
@@ -116,8 +164,10 @@ fn any_scene() -> impl Strategy<Value = Scene> {
     let camera = (vector(), 0.1..179.0)
         .prop_map(|(eye, fov_deg)| Camera { eye, target: eye + DVec3::splat(1.0 + 1e-3 * eye.length()), fov_deg })
         .prop_filter("the camera looks somewhere within the limits", |camera| camera.target.max_element() < 1e9);
-    (name(), camera, -100.0..=100.0, vec(any_surface(), 0..4), vec(any_light(), 0..4), vec(any_plot(), 0..3)).prop_map(
-        |(name, camera, exposure_ev, mut surfaces, mut lights, mut plots)| {
+    let display = (-100.0..=100.0).prop_map(|exposure_ev| Display { exposure_ev });
+    let view = (name(), camera, display, any_model());
+    (view, vec(any_surface(), 0..4), vec(any_light(), 0..4), vec(any_plot(), 0..3)).prop_map(
+        |((name, camera, display, model), mut surfaces, mut lights, mut plots)| {
             number_names(&mut surfaces, |surface| &mut surface.name);
             number_names(&mut lights, |light| &mut light.name);
             number_names(&mut plots, |plot| &mut plot.name);
@@ -125,10 +175,9 @@ fn any_scene() -> impl Strategy<Value = Scene> {
                 name: "clay".to_owned(),
                 diffuse: DVec3::splat(0.3),
                 specular: DVec3::ZERO,
-                model: ReflectionModel::default(),
+                model,
                 exponent: 1.5,
             };
-            let display = Display { exposure_ev };
             Scene { name, camera, display, materials: vec![clay], surfaces, lights, plots }
         },
     )
@@ -192,8 +241,7 @@ proptest! {
         };
         let text: String = scene::to_toml(&old).lines().enumerate().map(mark).collect();
         let merged = scene::merge(&text, &new);
-        let read = scene::parse(&merged, "any.toml");
-        prop_assert_eq!(read.map_err(|error| TestCaseError::fail(error.to_string()))?, new.clone(), "the same scene");
+        prop_assert_eq!(read(&merged)?, new.clone(), "the same scene");
         let (after, plain) = (marks(&merged), scene::to_toml(&new));
         for (header, comment, name) in marks(&text) {
             let stays = plain.contains(&format!("{header}\n{name}\n"));
@@ -204,7 +252,7 @@ proptest! {
     #[test]
     fn any_scene_is_read_as_it_was_written(scene in any_scene()) {
         let text = scene::to_toml(&scene);
-        let read = scene::parse(&text, "any.toml").map_err(|error| TestCaseError::fail(format!("{error}\n{text}")))?;
+        let read = read(&text)?;
         prop_assert_eq!(&read, &scene, "the same scene");
         prop_assert_eq!(scene::to_toml(&read), text, "the same text");
     }

@@ -1,6 +1,6 @@
 //! What is refused, and what is said then.
 
-use super::{SHAPE, VERTICES, check, refusal};
+use super::{SHAPE, VERTICES, check, refusal, with};
 
 #[test]
 fn the_format_comes_first() {
@@ -98,6 +98,93 @@ fn numbers_are_finite_and_within_their_limits() {
         "temperature_k = 500\nluminance = 1000.0",
         "window.toml:26:17: light[0].temperature_k: must be at least 1000, but is 500.0; write kelvins from 1000.0 to 40000.0",
     );
+}
+
+#[test]
+fn the_numbers_of_disks_caps_skies_and_rectangles_are_within_their_limits() {
+    let expected = "window.toml:27:29: light[0].shape.disk.radius: must be greater than 0, but is 0.0; \
+                    write a length in metres such as 0.5";
+    check(SHAPE, "disk = { radius = 0 }", expected);
+    for (angle, wrong) in [
+        ("0", "greater than 0, but is 0.0"),
+        ("90.5", "at most 90, but is 90.5"),
+        ("-10", "greater than 0, but is -10.0"),
+    ] {
+        let expected = format!(
+            "window.toml:27:36: light[0].shape.cap.half_angle_deg: must be {wrong}; write an angle in degrees such as 30.0"
+        );
+        check(SHAPE, &format!("cap = {{ half_angle_deg = {angle} }}"), &expected);
+    }
+    check(
+        SHAPE,
+        "sky = { uniform = -0.5, cosine = inf }",
+        "window.toml:27:29: light[0].shape.sky.uniform: must not be negative, but is -0.5; write a share such as 1.0\n\
+         window.toml:27:44: light[0].shape.sky.cosine: must be finite, but is inf; write a share such as 1.0",
+    );
+    check(
+        SHAPE,
+        "sky = { uniform = 0, cosine = 0 }",
+        "window.toml:27:17: light[0].shape.sky: is black; write { uniform = 1.0, cosine = 0.0 } and mute it to have it dark",
+    );
+    check(
+        SHAPE,
+        "sky = { uniform = 1 }",
+        "window.toml:27:17: light[0].shape.sky.cosine: is missing; \
+         write a number (The part that falls with the cosine of the angle from the zenith)",
+    );
+    check(
+        "luminance = 1000.0\nshape = { polygon",
+        "illuminance = 1000.0\nshape = { sky = { uniform = 1, cosine = 0 } } # { polygon",
+        "window.toml:26:15: light[0].illuminance: does not fit a `sky`; write `luminance`",
+    );
+    check(
+        SHAPE,
+        "textured = { size = [1.0, 0.0], pattern = \"leaf.png\" }",
+        "window.toml:27:37: light[0].shape.textured.size[1]: must be greater than 0, but is 0.0; \
+         write a length in metres such as 0.5\nwindow.toml:27:53: light[0].shape.textured.pattern: `leaf.png` cannot be read: \
+         there are no files beside this text; write the name of a PNG, JPEG, EXR or HDR file in the scene's folder",
+    );
+    for name in ["", "/etc/passwd", "a/../../b.png", "."] {
+        let said = refusal(&with(SHAPE, &format!("textured = {{ size = [1.0, 1.0], pattern = \"{name}\" }}")));
+        assert_eq!(said.lines().count(), 1, "{said}");
+        assert!(said.contains("pattern: is empty") || said.contains("leaves the scene's folder"), "{said}");
+    }
+}
+
+#[test]
+fn the_numbers_of_reflection_models_are_within_their_limits() {
+    let model = |text: &str| format!("exponent = 32.0\nmodel = {{ {text} }}");
+    for (text, expected) in [
+        (
+            "cook-torrance = { roughness = 0, reflectance = 1.5 }",
+            "window.toml:17:41: material[0].model.cook-torrance.roughness: must be at least 0.01, but is 0.0; \
+             write a slope such as 0.3; smaller is sharper\n\
+             window.toml:17:58: material[0].model.cook-torrance.reflectance: must be at most 1, but is 1.5; \
+             write a share such as 0.04, which is glass",
+        ),
+        (
+            "lafortune = { tangential = -1.5, normal = nan }",
+            "window.toml:17:38: material[0].model.lafortune.tangential: must be at least -1, but is -1.5; \
+             write a factor such as 0.9\n\
+             window.toml:17:53: material[0].model.lafortune.normal: must be finite, but is NaN; write a factor such as 0.9",
+        ),
+        (
+            "lafortune = { tangential = 0, normal = 0 }",
+            "window.toml:17:23: material[0].model.lafortune: reflects nothing; \
+             write { tangential = -1.0, normal = 1.0 }, which is Phong's",
+        ),
+        (
+            "ward = {}",
+            "window.toml:17:11: material[0].model.ward: is not known here; \
+             known are `phong`, `blinn`, `cook-torrance`, `lafortune`",
+        ),
+        (
+            "blinn = { exponent = 3 }",
+            "window.toml:17:21: material[0].model.blinn.exponent: is not known here; there are none",
+        ),
+    ] {
+        check("exponent = 32.0", &model(text), expected);
+    }
 }
 
 #[test]
@@ -208,7 +295,7 @@ fn tubes_have_a_radius_and_isotropic_lines_have_none() {
     check(
         &format!("luminance = 1000.0\nshape = {{ {SHAPE} }}"),
         "intensity_per_metre = 10.0\nshape = { line = { length = 1.0, radius = 0.01 } }",
-        "window.toml:27:41: light[0].shape.line.radius: does not fit an `isotropic` line; write emission = \"tube\", or leave it out",
+        "window.toml:27:43: light[0].shape.line.radius: does not fit an `isotropic` line; write emission = \"tube\", or leave it out",
     );
 }
 
