@@ -22,6 +22,7 @@ pub const LIGHTS: &[Preset] = &[
     Preset { stem: "ring-light", text: include_str!("../../presets/lights/ring-light.toml") },
     Preset { stem: "panel", text: include_str!("../../presets/lights/panel.toml") },
     Preset { stem: "fluorescent-tube", text: include_str!("../../presets/lights/fluorescent-tube.toml") },
+    Preset { stem: "tube-t5", text: include_str!("../../presets/lights/tube-t5.toml") },
     Preset { stem: "neon-tube", text: include_str!("../../presets/lights/neon-tube.toml") },
     Preset { stem: "letter-e", text: include_str!("../../presets/lights/letter-e.toml") },
     Preset { stem: "globe", text: include_str!("../../presets/lights/globe.toml") },
