@@ -10,5 +10,4 @@ mod properties;
 mod random;
 mod reference;
 mod sphere;
-mod textured;
 mod verify;

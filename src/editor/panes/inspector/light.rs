@@ -61,7 +61,7 @@ pub(super) fn show(ui: &mut Ui, fields: &mut Fields<'_>, index: usize) {
         Shape::Sky(sky) => {
             sky_rows(ui, fields, index, *sky);
         }
-        Shape::Point(_) => fields.derived(ui, "Extent", "none: all of it at the origin"),
+        Shape::Point(_) => fields.derived(ui, "Extent", "none, a point"),
         Shape::Directional(_) => fields.derived(ui, "Extent", "parallel light along −Z"),
     });
     if let Shape::Polygon(polygon) = &light.shape {
