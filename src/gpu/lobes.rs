@@ -42,7 +42,6 @@ pub(crate) fn lobe(lobe: &shading::Lobe, method: Method) -> Lobe {
         model,
         cosine_exponent: f32_of(lobe.cosine_exponent()),
         parameters: parameters.map(f32_of),
-        chebyshev: quads(fit.coefficients()),
         chebyshev_mean: quads(fit.mean_coefficients()),
         cosine_integral,
     }

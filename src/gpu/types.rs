@@ -61,7 +61,6 @@ gpu_structs! {
         model: u32,
         cosine_exponent: f32,
         parameters: [f32; 2],
-        chebyshev: [[f32; 4]; 4],
         chebyshev_mean: [[f32; 4]; 4],
         cosine_integral: [[f32; 16]; 16],
     }

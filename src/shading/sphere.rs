@@ -184,7 +184,8 @@ fn hermite([x_0, x_1]: [f64; 2], [f_0, slope_0]: [f64; 2], [f_1, slope_1]: [f64;
 /// By Stokes' theorem in polar coordinates (z, ψ) about r, for any constant c: I = (1/2π) ∮ (c − zᵐ⁺¹) dψ over the boundary
 /// of that region, plus 1 − c where r is inside it. c = 1 removes the singularity of dψ for r near the boundary; far from it
 /// c = z₀ᵐ⁺¹, z₀ in the middle, removes the cancellation. Three kinds of arc occur: of the cap's circle, of n's
-/// horizon, and of r's horizon, where the integrand is c. Parts where zᵐ⁺¹ is negligible are c Δψ; the rest takes 24
+/// horizon, and of r's horizon, where the integrand is c. A circle that no horizon cuts is integrated by the midpoint
+/// rule, which converges geometrically there (`Boundary::circle_nodes`). Otherwise parts where zᵐ⁺¹ is negligible are c Δψ; the rest takes 24
 /// Gauss–Legendre nodes in panels of at most 1.6.
 ///
 /// **Source:** [`crate::refs::SNYDER_1996`], §3.2, with eq. (9); this form, which serves odd, even and real m and both
@@ -207,6 +208,12 @@ const WHOLE: f64 = 1.0 - 4e-15;
 
 /// Widest panel of 24 nodes, in radians: the integrands' poles are at least ln 2 from the real line, for a remainder of 1e-16.
 const PANEL: f64 = 1.6;
+
+/// ln of how much greater the integrand may be off the real line in the bound of the midpoint rule.
+const CIRCLE_GROWTH: f64 = 20.0;
+
+/// Most nodes on half of a circle; beyond, panels about the peak need no more.
+const CIRCLE_NODES: f64 = 32.0;
 
 /// The constant c of [`cap_phong`].
 #[derive(Clone, Copy, Debug)]
@@ -289,7 +296,57 @@ impl Boundary {
 
     /// The boundary where n's horizon cuts nothing off.
     fn whole(&self) -> f64 {
+        if self.cos_omega >= self.sin_sigma
+            && let Some(nodes) = self.circle_nodes()
+        {
+            return self.whole_circle(nodes);
+        }
         2.0 * self.circle_piece(0.0, self.highest_phi()) + self.lobe_horizon(None)
+    }
+
+    /// How many nodes on half of the whole circle [`Self::whole_circle`] needs; none where panels need fewer.
+    ///
+    /// The integrand has a period of 2π and is analytic up to iη of the real line, where it is eᵍ times as great, so
+    /// that the midpoint rule with N nodes on either half leaves no more than e^(g − 2Nη) of it. z = A + B cos φ gives
+    /// g ≤ (m+1)·B/(A+B)·(cosh η − 1), and for c < 1 there is a pole where cosh η = (1 − A)/B; a low
+    /// real power has a branch point where z = 0, at cosh η = A/B.
+    fn circle_nodes(&self) -> Option<f64> {
+        let (slope, middle) = (self.sin_sigma * self.sin_omega, self.cos_sigma * self.cos_omega);
+        let steepness = self.power * slope / (middle + slope).max(f64::MIN_POSITIVE);
+        let reach = (1.0 + CIRCLE_GROWTH / steepness.max(1e-6)).acosh();
+        let at_height = |distance: f64| (distance / slope.max(f64::MIN_POSITIVE)).max(1.0).acosh();
+        let mut pole = match self.offset {
+            Offset::One => f64::INFINITY,
+            _ => at_height(1.0 - middle),
+        };
+        if self.power.fract() != 0.0 && self.power <= 24.0 {
+            pole = pole.min(at_height(middle));
+        }
+        let nodes = (0.5 * (NEGLIGIBLE_LN + CIRCLE_GROWTH) / reach.min(pole)).ceil();
+        (nodes <= CIRCLE_NODES).then_some(nodes.max(4.0))
+    }
+
+    /// ∫ (c − zᵐ⁺¹) dψ over the whole circle by the midpoint rule, by symmetry on half of it.
+    fn whole_circle(&self, nodes: f64) -> f64 {
+        let step = (PI / nodes).cos();
+        let (mut before, mut cos) = ((0.5 * PI / nodes).cos(), (0.5 * PI / nodes).cos());
+        let mut sum = 0.0;
+        let mut i = 0.0;
+        while i < nodes {
+            sum += self.circle_integrand((1.0 - cos) * (1.0 + cos), cos);
+            (before, cos) = (cos, 2.0 * step * cos - before);
+            i += 1.0;
+        }
+        sum * TAU / nodes
+    }
+
+    /// (c − zᵐ⁺¹) dψ/dφ on the circle from sin²φ and cos φ.
+    fn circle_integrand(&self, sin_squared: f64, cos: f64) -> f64 {
+        let x = self.sin_omega * self.cos_sigma - self.cos_omega * self.sin_sigma * cos;
+        let rho_squared = x * x + self.sin_sigma * self.sin_sigma * sin_squared;
+        let turning = self.sin_sigma * (self.sin_sigma * self.cos_omega - self.cos_sigma * self.sin_omega * cos);
+        let above_middle = self.sin_sigma * self.sin_omega * cos;
+        self.weight(rho_squared, above_middle) * turning / rho_squared.max(f64::MIN_POSITIVE)
     }
 
     /// c.
@@ -344,10 +401,7 @@ impl Boundary {
         };
         let integrand = |phi: f64| {
             let (sin, cos) = phi.sin_cos();
-            let (x, y) = (low - across * cos, self.sin_sigma * sin);
-            let rho_squared = x * x + y * y;
-            let turning = self.sin_sigma * (self.sin_sigma * self.cos_omega - self.cos_sigma * self.sin_omega * cos);
-            self.weight(rho_squared, slope * cos) * turning / rho_squared.max(f64::MIN_POSITIVE)
+            self.circle_integrand(sin * sin, cos)
         };
         self.piece(from, to, cut, psi, integrand)
     }

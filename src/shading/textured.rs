@@ -2,8 +2,6 @@
 
 pub mod quadrature;
 
-use std::f64::consts::PI;
-
 use glam::DVec3;
 
 use self::quadrature::{Sought, Weighing, integrate};
@@ -37,25 +35,32 @@ pub fn textured_exact(light: &TexturedEmitter, at: &ShadingPoint, lobe: &Lobe, s
 
 /// Lambert's cosine about the normal n.
 pub fn cosine(n: DVec3) -> Weighing<impl Fn(DVec3) -> f64> {
-    Weighing { density: move |w: DVec3| n.dot(w), greatest: 1.0, peak: n, width: 1.0, reach: PI, horizons: [n, n] }
+    Weighing {
+        density: move |w: DVec3| n.dot(w),
+        greatest: 1.0,
+        peak: n,
+        width: 1.0,
+        fall: f64::INFINITY,
+        horizons: [n, n],
+    }
 }
 
 /// A material's lobe above the surface.
 pub fn reflection(lobe: &Lobe, at: &ShadingPoint) -> Weighing<impl Fn(DVec3) -> f64> {
-    /// Beyond so many widths a cosine lobe is below e^−50 of its peak.
-    const REACH: f64 = 10.0;
     let (n, r) = (at.n, at.mirror());
     let density = move |w: DVec3| lobe.density(n, r, w);
     let broad = lobe.cosine_exponent().max(0.25).sqrt().recip();
     if lobe.is_cosine() {
-        let (width, reach) = (broad, REACH * broad);
-        return Weighing { density, greatest: lobe.normalisation(), peak: r, width, reach, horizons: [n, r] };
+        // cosᵐ θ ≤ exp(−mθ²/2).
+        let greatest = lobe.normalisation();
+        return Weighing { density, greatest, peak: r, width: broad, fall: broad, horizons: [n, r] };
     }
-    // Out of the plane of incidence the half-vector turns faster, by 1/(n·v). Towards a grazing eye the lobe is nowhere
-    // greater than its distribution's peak by more than 1/(n·v), which Cook and Torrance's shadowing allows.
-    let cos_eye = n.dot(at.v).max(1e-3);
-    let greatest = 4.0 * density(r).max(density(n)) / cos_eye;
-    Weighing { density, greatest, peak: r, width: broad * cos_eye, reach: PI, horizons: [n, n] }
+    // A direction at θ from r has its half-vector at θ/2 or more from n; out of the plane of incidence at more, by up to
+    // 1/(n·v). Cook and Torrance's shadowing may raise a grazing lobe by as much above its distribution's peak.
+    let cos_eye = n.dot(at.v);
+    let greatest = 4.0 * density(r).max(density(n)) / cos_eye.max(1e-3);
+    let (width, fall) = (broad * cos_eye.max(0.1), 2.0 * broad);
+    Weighing { density, greatest, peak: r, width, fall, horizons: [n, n] }
 }
 
 /// A textured light as N Lambertian point lights, each at the flux centroid of a part of it, and of the part's flux; with

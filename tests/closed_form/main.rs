@@ -10,4 +10,5 @@ mod properties;
 mod random;
 mod reference;
 mod sphere;
+mod textured;
 mod verify;

@@ -7,6 +7,7 @@ use softbox::light::{Emitter, Line, LineEmitter, Polygon, Shape, Sphere, SphereE
 use softbox::math::special::refined_panels;
 use softbox::shading::cluster::polygon_points;
 use softbox::shading::line::{line_irradiance, line_phong};
+use softbox::shading::reference::reference;
 use softbox::shading::{Method, PhongLobe, Response, ShadingPoint, respond};
 
 use super::random::Random;
@@ -25,7 +26,8 @@ impl Scene {
         let place = random.point(2.0) * random.magnitude(0.1, 20.0);
         let emitter = if random.within(0.0, 1.0) < 0.5 {
             let half = 0.5 * random.direction() * random.magnitude(1e-2, 20.0);
-            let falloff = (random.within(0.0, 8.0).floor() / 2.0).min(3.0);
+            let falloff = (random.within(0.0, 16.0).floor() / 2.0 - 4.0).clamp(0.0, 3.5);
+            let falloff = if falloff == 0.0 { 2.0 } else { falloff - 0.5 };
             let tube = (random.within(0.0, 1.0) < 0.4).then(|| random.magnitude(1e-3, 1e-1));
             Emitter::Line(LineEmitter { a: place - half, b: place + half, falloff, tube })
         } else {
@@ -71,6 +73,18 @@ impl Scene {
     }
 }
 
+/// Lines and spheres.
+const MODELS: usize = 2;
+
+/// Random cases a model in an ordinary run; `SOFTBOX_PROPERTY_CASES` gives another number.
+const CASES: usize = 100_000;
+
+/// How many cases to try, of which `usual` would be tried in an ordinary run.
+fn cases_wanted(usual: usize) -> usize {
+    let asked = std::env::var("SOFTBOX_PROPERTY_CASES").ok().and_then(|count| count.parse::<usize>().ok());
+    asked.map_or(usual, |asked| (asked * usual).div_ceil(CASES))
+}
+
 #[track_caller]
 fn same(what: &str, x: Response, y: Response, [irradiance, specular]: [f64; 2], scene: &Scene) {
     let close = |x: f64, y: f64, scale: f64| (x - y).abs() <= 1e-9 * (x.abs() + y.abs()) + 1e-12 * scale;
@@ -83,7 +97,7 @@ fn same(what: &str, x: Response, y: Response, [irradiance, specular]: [f64; 2], 
 #[test]
 fn responses_are_finite_and_not_negative_and_bounded() {
     let mut random = Random::new(11);
-    for _ in 0..20_000 {
+    for _ in 0..cases_wanted(MODELS * CASES) {
         let scene = Scene::random(&mut random);
         let [irradiance, specular] = scene.bounds();
         for method in scene.methods() {
@@ -97,7 +111,7 @@ fn responses_are_finite_and_not_negative_and_bounded() {
 #[test]
 fn turning_everything_changes_nothing() {
     let mut random = Random::new(12);
-    for _ in 0..5000 {
+    for _ in 0..cases_wanted(MODELS * CASES) {
         let scene = Scene::random(&mut random);
         let turn = DMat3::from_axis_angle(random.direction(), random.within(0.0, TAU));
         let ShadingPoint { p, n, v } = scene.at;
@@ -126,7 +140,7 @@ fn turning_everything_changes_nothing() {
 #[test]
 fn scaling_everything_follows_the_falloff() {
     let mut random = Random::new(13);
-    for _ in 0..5000 {
+    for _ in 0..cases_wanted(MODELS * CASES) {
         let scene = Scene::random(&mut random);
         let scale = random.magnitude(0.01, 100.0);
         let (emitter, factor) = match scene.emitter {
@@ -153,13 +167,22 @@ fn scaling_everything_follows_the_falloff() {
 #[test]
 fn far_lights_are_point_lights() {
     let mut random = Random::new(14);
-    for _ in 0..2000 {
+    for _ in 0..cases_wanted(MODELS * CASES) {
         let mut scene = Scene::random(&mut random);
         let away = 1e5 * random.direction();
         match &mut scene.emitter {
             Emitter::Line(light) => *light = LineEmitter { a: light.a + away, b: light.b + away, ..*light },
             Emitter::Sphere(light) => light.center += away,
             _ => {}
+        }
+        let (middle, extent) = match &scene.emitter {
+            Emitter::Line(light) => (light.middle(), light.length()),
+            Emitter::Sphere(light) => (light.center, light.radius),
+            _ => (DVec3::ZERO, 0.0),
+        };
+        if scene.at.n.dot(middle - scene.at.p).abs() <= extent {
+            // The horizon parts the light, but never a point.
+            continue;
         }
         let point = scene.respond(Method::Point);
         let exact = scene.respond(Method::Exact);
@@ -200,6 +223,82 @@ fn tilting_a_surface_makes_no_jumps() {
                 assert!(step <= most, "{method}: a step of {step} > {most} at {i} for {scene:?}");
                 before = Some(now);
             }
+        }
+    }
+}
+
+/// Vectors in whose horizons forms change over: a line's ends and foot; of a sphere, with the sine of the angle.
+fn critical_directions(scene: &Scene) -> Vec<(DVec3, f64)> {
+    match scene.emitter {
+        Emitter::Line(LineEmitter { a, b, .. }) => {
+            let (a, b) = (a - scene.at.p, b - scene.at.p);
+            let axis = (b - a).normalize();
+            [a, b, a - a.dot(axis) * axis].map(|v| (v.normalize(), 0.0)).to_vec()
+        }
+        Emitter::Sphere(SphereEmitter { center, radius }) => {
+            let to_center = center - scene.at.p;
+            let sine = radius / to_center.length();
+            if sine < 1.0 { [sine, -sine, 0.0].map(|sine| (to_center.normalize(), sine)).to_vec() } else { Vec::new() }
+        }
+        _ => Vec::new(),
+    }
+}
+
+#[test]
+fn nothing_jumps_where_a_horizon_meets_a_light() {
+    const STEP: f64 = 1e-10;
+    let mut random = Random::new(18);
+    for _ in 0..cases_wanted(MODELS * CASES / 4) {
+        let scene = Scene::random(&mut random);
+        let [irradiance, specular] = scene.bounds();
+        for (direction, sine) in critical_directions(&scene) {
+            let across = random.direction().cross(direction).normalize();
+            let turned = |by: f64| (1.0 - (sine + by) * (sine + by)).max(0.0).sqrt() * across + (sine + by) * direction;
+            for method in [Method::Exact, Method::CHEBYSHEV, Method::Hermite1, Method::Hermite2] {
+                // The surface's horizon, then the lobe's, which is the surface's too for an eye along the normal.
+                let [before, after] = [-STEP, STEP].map(|by| {
+                    let at = ShadingPoint { n: turned(by), v: turned(by), ..scene.at };
+                    respond(&scene.emitter, method, &at, &scene.lobe)
+                });
+                let r = [-STEP, STEP].map(turned);
+                let [lobe_before, lobe_after] = r.map(|r| {
+                    let at = ShadingPoint { v: 2.0 * scene.at.n.dot(r) * scene.at.n - r, ..scene.at };
+                    respond(&scene.emitter, method, &at, &scene.lobe)
+                });
+                let jumps = [
+                    (before.irradiance - after.irradiance) / irradiance,
+                    (before.specular - after.specular) / specular,
+                    (lobe_before.specular - lobe_after.specular) / specular,
+                ];
+                // A cap's irradiance turns with the square root of nothing steeper than its sine.
+                assert!(jumps.iter().all(|jump| jump.abs() <= 1e-8), "{method}: {jumps:?} for {scene:?}, {direction}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_line_has_one_irradiance_whichever_form_finds_it() {
+    let mut random = Random::new(19);
+    for _ in 0..cases_wanted(CASES) {
+        let scene = Scene::random(&mut random);
+        let Emitter::Line(light) = &scene.emitter else { continue };
+        let [scale, _] = scene.bounds();
+        let (alone, whole) = (line_irradiance(light, scene.at.p, scene.at.n), scene.respond(Method::Exact).irradiance);
+        assert!((alone - whole).abs() <= 1e-14 * scale + 1e-12 * whole, "{alone} and {whole} for {scene:?}");
+    }
+}
+
+#[test]
+fn exact_lies_in_the_band_of_the_reference() {
+    let mut random = Random::new(20);
+    for _ in 0..cases_wanted(400) {
+        let scene = Scene::random(&mut random);
+        let exact = scene.respond(Method::Exact);
+        let band = reference(&scene.emitter, &scene.at, &scene.lobe);
+        for (x, band) in [(exact.irradiance, band.irradiance), (exact.specular, band.specular)] {
+            let off = (x - band.value).abs();
+            assert!(off <= band.error + 1e-13 + 1e-10 * x, "{x:e} is {off:e} off {band:?} for {scene:?}");
         }
     }
 }

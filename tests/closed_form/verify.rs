@@ -65,6 +65,8 @@ fn every_reference_file_passes() {
         "sphere_phong",
         "subhemi_lambert",
         "subhemi_phong",
+        "textured_rect_diffuse",
+        "textured_rect_phong",
     ];
     let output = verify(&models.map(reference), &[]);
     let rows = rows(&output);

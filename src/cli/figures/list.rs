@@ -85,7 +85,7 @@ pub(super) const FIGURES: &[Figure] = &[
     picture("one-shot-7a", "uniform disk, one-shot", "one-shot-disk.toml", Method::OneShot),
     picture("one-shot-7b", "uniform disk, exact", "one-shot-disk.toml", Method::Exact),
     picture("one-shot-8a", "checkerboard, one-shot", "one-shot-checkerboard.toml", Method::OneShot),
-    picture("one-shot-8b", "checkerboard, exact", "one-shot-checkerboard.toml", Method::Exact),
+    picture("one-shot-8b", "the checkerboard as 32 squares, exact", "one-shot-squares.toml", Method::Exact),
     picture("one-shot-9a", "a rose window's light", "one-shot-rose.toml", Method::OneShot),
     picture("one-shot-9b", "a snowflake's light", "one-shot-snowflake.toml", Method::OneShot),
     table("one-shot-disk", "factors of a uniform disk and their errors", figures::one_shot_disk),

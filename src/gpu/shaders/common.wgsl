@@ -34,8 +34,7 @@ struct Lobe {
     cosine_exponent: f32,
     // Lafortune: tangential and normal factor. Blinn: norm. Cook and Torrance: slope and reflectance.
     parameters: vec2f,
-    // Coefficients of the powers of 2φ/cut − 1, the constant first: of the fit, and of its mean from 0.
-    chebyshev: array<vec4f, 4>,
+    // Coefficients of the powers of 2φ/cut − 1, the constant first, of the fit's mean from 0.
     chebyshev_mean: array<vec4f, 4>,
     // Cubics in the part of a cell.
     cosine_integral: array<vec4f, 64>,

@@ -525,15 +525,23 @@ fn chebyshev_integral(lobe_index: u32, quads: u32, t: f32) -> f32 {
     return sum * clamp(t, -1.0, 1.0) * lobes[lobe_index].chebyshev_cut;
 }
 
-// The fit at t·cut.
+// The fit at t·cut: the mean, and its slope times what it is the mean over.
 fn chebyshev_value(lobe_index: u32, quads: u32, t: f32) -> f32 {
     let x = 2.0 * abs(t) - 1.0;
-    var sum = 0.0;
+    var mean = 0.0;
+    var slope = 0.0;
     for (var i = quads; i > 0u; i--) {
-        let c = lobes[lobe_index].chebyshev[i - 1u];
-        sum = (((sum * x + c.w) * x + c.z) * x + c.y) * x + c.x;
+        let c = lobes[lobe_index].chebyshev_mean[i - 1u];
+        slope = slope * x + mean;
+        mean = mean * x + c.w;
+        slope = slope * x + mean;
+        mean = mean * x + c.z;
+        slope = slope * x + mean;
+        mean = mean * x + c.y;
+        slope = slope * x + mean;
+        mean = mean * x + c.x;
     }
-    return select(sum, 0.0, x > 1.0);
+    return select(mean + (x + 1.0) * slope, 0.0, x > 1.0);
 }
 
 // ∫ fit(φ)/rᶠ ds over y.

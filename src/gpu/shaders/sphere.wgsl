@@ -285,6 +285,10 @@ fn cap_circle(b: Boundary, elevation: f32) -> f32 {
     let cut = cut_angle(b.z_cut - b.cos_sigma * b.cos_omega, slope);
     let half = cut_half_angle(b.sin_sigma, b.cos_sigma, elevation);
     if half >= PI || b.cos_sigma == 0.0 {
+        let nodes = cap_circle_nodes(b);
+        if end >= PI && nodes <= CAP_CIRCLE_NODES {
+            return cap_whole_circle(b, nodes);
+        }
         return 2.0 * cap_piece(b, true, 0.0, end, cut);
     }
     let middle = arctangent(b.n.y, b.n.z * b.sin_omega - b.n.x * b.cos_omega);
@@ -294,6 +298,38 @@ fn cap_circle(b: Boundary, elevation: f32) -> f32 {
         sum += cap_piece(b, true, max(place - half, 0.0), min(place + half, end), cut);
     }
     return sum;
+}
+
+// ln of how much greater the integrand may be off the real line, and most nodes on half of a circle.
+const CAP_CIRCLE_GROWTH = 8.0;
+const CAP_CIRCLE_NODES = 12.0;
+
+// How many nodes the midpoint rule needs on half of the whole circle; see `circle_nodes` in `shading::sphere`.
+fn cap_circle_nodes(b: Boundary) -> f32 {
+    let slope = max(b.sin_sigma * b.sin_omega, 1e-30);
+    let middle = b.cos_sigma * b.cos_omega;
+    var height = 1.0 + CAP_CIRCLE_GROWTH * (middle + slope) / (b.power * slope);
+    if b.offset != OFFSET_ONE {
+        height = min(height, (1.0 - middle) / slope);
+    }
+    if b.power <= 24.0 && fract(b.power) != 0.0 {
+        height = min(height, middle / slope);
+    }
+    height = clamp(height, 1.0, 1e6);
+    let reach = log(height + sqrt((height - 1.0) * (height + 1.0)));
+    return max(ceil(0.5 * (CAP_NEGLIGIBLE + CAP_CIRCLE_GROWTH) / max(reach, 1e-3)), 3.0);
+}
+
+// ∫ (c − zᵐ⁺¹) dψ over the whole circle by the midpoint rule, by symmetry on half of it.
+fn cap_whole_circle(b: Boundary, nodes: f32) -> f32 {
+    let turn = sine_cosine(PI / nodes);
+    var angle = sine_cosine(0.5 * PI / nodes);
+    var sum = 0.0;
+    for (var i = 0.0; i < nodes; i += 1.0) {
+        sum += cap_integrand(b, true, angle);
+        angle = vec2f(angle.x * turn.y + angle.y * turn.x, angle.y * turn.y - angle.x * turn.x);
+    }
+    return 2.0 * PI / nodes * sum;
 }
 
 // The arc of n's horizon within the cap and above r's horizon.

@@ -1,6 +1,6 @@
 //! Adaptive quadrature over a rectangle with a pattern, with an error bound.
 
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 use glam::{DVec2, DVec3};
 
@@ -54,8 +54,8 @@ pub struct Weighing<F> {
     pub peak: DVec3,
     /// The angle about the peak in which it falls by the factor √e, radians.
     pub width: f64,
-    /// The angle about the peak beyond which it is nothing beside its greatest.
-    pub reach: f64,
+    /// At an angle θ from the peak it is at most exp(−½(θ/fall)²) times [`Self::greatest`]; infinite where nothing is known.
+    pub fall: f64,
     /// Unit normals; directions below count nothing.
     pub horizons: [DVec3; 2],
 }
@@ -77,14 +77,16 @@ impl Default for Sought {
     }
 }
 
+/// The error of a polynomial is taken to be that many times its last coefficients, which need not fall fast where a
+/// horizon ends the part and the density is a broken power there.
+const CAUTION: f64 = 16.0;
+
 /// A part is small enough where its half diagonal is below this share of its distance.
 const NEAREST: f64 = 0.6;
 
-/// A part is small enough where the angle to its corners is below this many widths of the density.
+/// A part is small enough where the angle to its corners is below this many widths of the density; farther than two
+/// widths from the peak, where the density falls ever more steeply, that much less.
 const WIDEST: f64 = 1.5;
-
-/// What a density beyond its reach is beside its greatest.
-const NOTHING: f64 = 1e-17;
 
 /// ∫ L(ω) density(ω) dω over what a rectangle's lit side sends to p, L by `pattern`.
 ///
@@ -113,7 +115,7 @@ pub fn integrate<F: Fn(DVec3) -> f64>(
     loop {
         let total = parts.iter().fold(Estimate::default(), |sum, part| sum + part.estimate);
         let enough = absolute.max(sought.relative * total.value);
-        let before = looked_at;
+        let mut is_done = true;
         if total.error > enough && looked_at < sought.parts {
             // Parts below their share of what is enough, or far below the worst, stay as they are for now.
             let worst = parts.iter().map(|part| part.estimate.error).fold(0.0, f64::max);
@@ -122,7 +124,8 @@ pub fn integrate<F: Fn(DVec3) -> f64>(
             for part in parts.drain(..) {
                 match if part.estimate.error > threshold { view.halves(&part) } else { None } {
                     Some(halves) => {
-                        looked_at += halves.len();
+                        is_done = false;
+                        looked_at += 2;
                         next.extend(halves);
                     }
                     None => next.push(part),
@@ -130,7 +133,7 @@ pub fn integrate<F: Fn(DVec3) -> f64>(
             }
             parts = next;
         }
-        if looked_at == before {
+        if is_done {
             let rounding = 16.0 * f64::EPSILON * view.conditioning() * total.value;
             return Estimate { error: total.error + rounding, ..total };
         }
@@ -205,18 +208,17 @@ impl<'a, P: Distribution, F: Fn(DVec3) -> f64> View<'a, P, F> {
     /// What is known of the integrand within a distance of a point of the rectangle.
     fn bound(&self, centre: DVec3, radius: f64) -> Bound {
         let distance = centre.length();
+        let Weighing { greatest, peak, width, fall, .. } = *self.weighing;
         let nearest = (distance - radius).max(self.height);
-        let greatest = self.weighing.greatest * self.height / nearest.powi(3);
         let sine = radius / distance;
-        let angular_radius = sine.min(1.0).asin();
-        let peak = self.weighing.peak;
-        let from_peak = peak.cross(centre).length().atan2(peak.dot(centre)) - angular_radius;
-        if sine <= 1.0 && from_peak > self.weighing.reach {
-            Bound::UpTo(NOTHING * greatest)
-        } else if sine <= NEAREST && angular_radius <= WIDEST * self.weighing.width {
+        let angular_radius = if sine < 1.0 { sine.asin() } else { PI };
+        let from_peak = peak.cross(centre).length().atan2(peak.dot(centre));
+        let steepness = (0.5 * (from_peak + angular_radius).min(10.0 * fall) / width).max(1.0);
+        if sine <= NEAREST && angular_radius * steepness <= WIDEST * width {
             Bound::Smooth
         } else {
-            Bound::UpTo(greatest)
+            let falls = (-0.5 * ((from_peak - angular_radius).max(0.0) / fall).powi(2)).exp();
+            Bound::UpTo(greatest * falls * self.height / nearest.powi(3))
         }
     }
 
@@ -255,7 +257,7 @@ impl<'a, P: Distribution, F: Fn(DVec3) -> f64> View<'a, P, F> {
                     let greatest = values.iter().flatten().fold(0.0, |greatest: f64, value| greatest.max(value.abs()));
                     (up_to(flux * (2.0 * greatest + tails[0] + tails[1])), extent.x > extent.y)
                 } else {
-                    let error = 2.0 * flux * (tails[0] + tails[1]);
+                    let error = CAUTION * flux * (tails[0] + tails[1]);
                     (Estimate { value: self.area * product(&weights, &values), error }, across)
                 }
             }
@@ -291,10 +293,11 @@ impl<'a, P: Distribution, F: Fn(DVec3) -> f64> View<'a, P, F> {
         let middle = self.point(centre.x, centre.y);
         let radius = points.iter().map(|point| point.distance(middle)).fold(0.0, f64::max);
         let level = |at: DVec2| self.pattern.value(at.x, at.y);
+        // Not at the corners themselves, which other texels share.
+        let levels = corners.map(|corner| level(centre.lerp(corner, 0.999)));
+        let greatest_level = levels.into_iter().fold(level(centre), f64::max);
         let estimate = match self.bound(middle, radius) {
-            Bound::UpTo(greatest) => {
-                up_to(0.5 * double_area * greatest * corners.map(level).into_iter().fold(0.0, f64::max))
-            }
+            Bound::UpTo(greatest) => up_to(0.5 * double_area * greatest * greatest_level),
             Bound::Smooth => {
                 let values = CHEBYSHEV.nodes.map(|y| {
                     let across = b.lerp(c, 0.5 + 0.5 * y);
@@ -306,7 +309,7 @@ impl<'a, P: Distribution, F: Fn(DVec3) -> f64> View<'a, P, F> {
                 });
                 let tails = tails(&values);
                 let value = product(&even_weights(0.25 * double_area), &values);
-                Estimate { value, error: 2.0 * double_area * (tails[0] + tails[1]) }
+                Estimate { value, error: CAUTION * double_area * (tails[0] + tails[1]) }
             }
         };
         Some(Part { region: Region::Triangle(corners), estimate, across: false })
