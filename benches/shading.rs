@@ -13,7 +13,7 @@ use glam::DVec3;
 use softbox::light::{Emitter, Light, LineEmitter, Shape, SphereEmitter};
 use softbox::shading::line::line_irradiance;
 use softbox::shading::sphere::{sphere_irradiance, sphere_irradiance_hermite_1, sphere_irradiance_hermite_2};
-use softbox::shading::{Method, PhongLobe, ShadingPoint, respond};
+use softbox::shading::{Method, PhongLobe, Prepared, ShadingPoint};
 
 const POINTS: u32 = 1000;
 
@@ -35,17 +35,20 @@ fn main() {
         });
     }
     let lobe = PhongLobe::new(EXPONENT);
-    let point = placed(common::point());
+    let point_emitter = placed(common::point());
+    let point = Prepared::new(&point_emitter, Method::Exact);
     for (light, shape) in common::lights() {
         let emitter = placed(shape.clone());
         let methods = common::methods(&shape).map(|method| (method, EXPONENT));
-        for (method, exponent) in methods.chain([(Method::Exact, REAL_EXPONENT)]) {
+        let first = common::methods(&shape).next().map(|method| (method, REAL_EXPONENT));
+        for (method, exponent) in methods.chain(first) {
             let light_lobe = PhongLobe::new(exponent);
+            let light_prepared = Prepared::new(&emitter, method);
             let part = format!("both, m = {exponent}");
             let mut least = [Duration::MAX; 2];
             bench.measure([light, &part, &method.to_string()], || Times {
-                light: time(&points, |at| both(&emitter, method, at, &light_lobe), &mut least[0]),
-                point: time(&points, |at| both(&point, Method::Exact, at, &lobe), &mut least[1]),
+                light: time(&points, |at| both(&light_prepared, at, &light_lobe), &mut least[0]),
+                point: time(&points, |at| both(&point, at, &lobe), &mut least[1]),
             });
         }
     }
@@ -59,8 +62,8 @@ fn placed(shape: Shape) -> Emitter {
     Light { position: CEILING, ..Light::new("light", shape) }.emitter()
 }
 
-fn both(emitter: &Emitter, method: Method, at: &ShadingPoint, lobe: &PhongLobe) -> f64 {
-    let response = respond(emitter, method, at, lobe);
+fn both(light: &Prepared, at: &ShadingPoint, lobe: &PhongLobe) -> f64 {
+    let response = light.respond(at, lobe);
     response.irradiance + response.specular
 }
 

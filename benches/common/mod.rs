@@ -1,11 +1,13 @@
 //! What both benches share: the lights that they measure, and the table that they print.
 
 use std::f64::consts::TAU;
+use std::sync::Arc;
 use std::time::Duration;
 
 use criterion::Criterion;
 use glam::DVec2;
-use softbox::light::{Directional, Line, Point, Polygon, Shape, Sphere};
+use softbox::light::pattern::{Channel, Image, Pattern};
+use softbox::light::{Cap, Directional, Disk, Line, Point, Polygon, Shape, Sky, Sphere, Textured};
 use softbox::shading::Method;
 
 /// The lights that are measured, each by every method that it has. A new one is a line here.
@@ -19,7 +21,20 @@ pub(crate) fn lights() -> Vec<(&'static str, Shape)> {
         ("4-gon", ring(4)),
         ("8-gon", ring(8)),
         ("sphere", Shape::Sphere(Sphere { radius: 0.3 })),
+        ("cap", Shape::Cap(Cap { half_angle_deg: 15.0 })),
+        ("sky", Shape::Sky(Sky::OVERCAST)),
+        ("disk", Shape::Disk(Disk { radius: 0.5, two_sided: false })),
+        ("textured 16²", textured(16)),
+        ("textured 512²", textured(512)),
     ]
+}
+
+/// A pattern of that many texels a side.
+fn textured(side: usize) -> Shape {
+    let texels = (0..side * side).map(|i| if (i / side + i).is_multiple_of(3) { 1.0 } else { 0.25 }).collect();
+    let channel = Channel::new(side, texels).expect("a square of texels");
+    let pattern = Pattern::of_image("checks.png", Image::Grey(Arc::new(channel)));
+    Shape::Textured(Textured { size: DVec2::ONE, pattern, two_sided: false })
 }
 
 /// What the others are multiples of.
@@ -27,9 +42,11 @@ pub(crate) fn point() -> Shape {
     Shape::Point(Point {})
 }
 
-/// The methods that are measured: not `reference`, which judges and is not for use.
+/// The methods that are measured: not those that integrate adaptively, which take milliseconds a point.
 pub(crate) fn methods(shape: &Shape) -> impl Iterator<Item = Method> {
-    Method::of(shape).iter().copied().filter(|method| *method != Method::Reference)
+    let adaptive = matches!(shape, Shape::Textured(_));
+    let slow = move |method: Method| method == Method::Reference || adaptive && method == Method::Exact;
+    Method::of(shape).iter().copied().filter(move |method| !slow(*method))
 }
 
 fn line(falloff: f64) -> Shape {
