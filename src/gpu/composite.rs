@@ -7,7 +7,7 @@ use super::pass::{self, Binding, Target};
 use super::shader::{Module, Source};
 use super::types::{Composite, Reflectance, Tone, VisibleEmitter, f32_of, u32_of, vec3_of, vec4_of};
 use super::view::View;
-use crate::light::{Emitter, PolygonEmitter};
+use crate::light::{Emitter, Light, PolygonEmitter, Shape, Textured};
 use crate::scene::Scene;
 use crate::shading::{disk, textured};
 use glam::DVec3;
@@ -21,6 +21,9 @@ const DISPLAY: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
 const PICTURE: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 /// Layers that one pass sums.
 const BATCH: usize = 8;
+
+/// Texels along a side of a pattern that is seen; of larger patterns some are left out.
+const MOST_SEEN: u32 = 256;
 
 /// All that a picture depends on beside the layers. Equal mixes of the same layers give equal pictures.
 #[derive(Clone, Debug, PartialEq)]
@@ -57,7 +60,10 @@ impl Mix {
         };
         if view.show_emitters {
             for light in scene.lights.iter().filter(|light| !light.muted) {
-                mix.add_emitter(&light.emitter(), light.weight(), view.camera.eye);
+                match &light.shape {
+                    Shape::Textured(shape) => mix.add_textured(light, shape, view.camera.eye),
+                    _ => mix.add_emitter(&light.emitter(), light.weight(), view.camera.eye),
+                }
             }
         }
         mix
@@ -67,14 +73,35 @@ impl Mix {
         let common = VisibleEmitter { radiance: vec3_of(radiance), ..Default::default() };
         match emitter {
             Emitter::Disk(disk) => self.add_polygon(&disk::as_polygon(disk), common, eye),
-            Emitter::Textured(light) => self.add_polygon(&textured::as_polygon(light), common, eye),
             Emitter::Polygon(polygon) => self.add_polygon(polygon, common, eye),
             Emitter::Sphere(sphere) => self.emitters.push(VisibleEmitter {
                 vector: vec3_of(sphere.center - eye),
                 radius: f32_of(sphere.radius),
                 ..common
             }),
-            Emitter::Line(_) | Emitter::Cap(_) | Emitter::Sky(_) | Emitter::Point(_) | Emitter::Directional(_) => {}
+            Emitter::Textured(_)
+            | Emitter::Line(_)
+            | Emitter::Cap(_)
+            | Emitter::Sky(_)
+            | Emitter::Point(_)
+            | Emitter::Directional(_) => {}
+        }
+    }
+
+    /// A rectangle, and its texels after its corners.
+    fn add_textured(&mut self, light: &Light, shape: &Textured, eye: DVec3) {
+        let Emitter::Textured(emitter) = light.emitter() else { return };
+        let image = &shape.pattern.image;
+        let [columns, rows] = emitter.pattern.size().map(|side| side.min(MOST_SEEN));
+        let radiance = vec3_of(light.weight());
+        let common = VisibleEmitter { radiance, columns, rows, ..Default::default() };
+        self.add_polygon(&textured::as_polygon(&emitter), common, eye);
+        let share = |i: u32, count: u32| (f64::from(i) + 0.5) / f64::from(count);
+        for row in 0..rows {
+            for column in 0..columns {
+                let value = image.value(share(column, columns), share(row, rows));
+                self.emitter_vertices.push(vec4_of(value, 0.0));
+            }
         }
     }
 

@@ -39,6 +39,7 @@ impl LayerPass {
         encoder: &mut wgpu::CommandEncoder,
         gbuffer: &wgpu::BindGroup,
         (light, matte): (&LightData, bool),
+        stage: usize,
         target: &Target,
     ) {
         let layouts = [&self.gbuffer_layout, &self.light_layout];
@@ -46,7 +47,7 @@ impl LayerPass {
             .pipelines
             .entry((light.responder, matte))
             .or_insert_with(|| pass::pipeline(device, &light.responder.source(matte), "layer", &layouts, &[FORMAT]));
-        let group = light_group(device, &self.light_layout, &mut self.tables, light);
+        let group = light_group(device, &self.light_layout, &mut self.tables, (light, stage));
         pass::run(encoder, pipeline, &[gbuffer, &group], &[&target.view]);
         let Some(others) = &light.other_lobes else { return };
         // Their specular response takes the place of the closed form's.
@@ -60,7 +61,7 @@ impl LayerPass {
                 &[specular],
             )
         });
-        let group = light_group(device, &self.light_layout, &mut self.tables, others);
+        let group = light_group(device, &self.light_layout, &mut self.tables, (others, 0));
         pass::run_over(encoder, pipeline, &[gbuffer, &group], &[&target.view], wgpu::LoadOp::Load);
     }
 }
@@ -70,9 +71,9 @@ fn light_group(
     device: &wgpu::Device,
     layout: &wgpu::BindGroupLayout,
     tables: &mut Tables,
-    light: &LightData,
+    (light, stage): (&LightData, usize),
 ) -> wgpu::BindGroup {
-    let uniform = pass::buffer(device, &light.uniform, wgpu::BufferUsages::UNIFORM);
+    let uniform = pass::buffer(device, &light.uniform_at(stage), wgpu::BufferUsages::UNIFORM);
     let vertices = pass::storage(device, &light.vertices);
     let table = tables.buffer(device, &light.table);
     pass::bind_group(
@@ -90,7 +91,16 @@ pub(crate) struct Sample {
     matte: bool,
     /// The G-buffer and the lobes, as the layer shaders read them.
     group: Option<wgpu::BindGroup>,
-    layers: Vec<(LightData, Target)>,
+    layers: Vec<Layer>,
+}
+
+/// What a light does at every pixel.
+#[derive(Debug)]
+struct Layer {
+    light: LightData,
+    /// Stages that it has been through.
+    stages: usize,
+    target: Target,
 }
 
 impl Sample {
@@ -101,10 +111,15 @@ impl Sample {
 
     /// The layer of a light; none where it was not asked for.
     pub(crate) fn layer(&self, light: &LightData) -> Option<&Target> {
-        self.layers.iter().find(|(data, _)| data == light).map(|(_, target)| target)
+        self.layers.iter().find(|layer| layer.light == *light).map(|layer| &layer.target)
     }
 
-    /// Redoes what changed, and answers whether anything did.
+    /// Whether every layer that is made has been through all its stages.
+    pub(crate) fn is_refined(&self, lit: &[LightData]) -> bool {
+        lit.iter().all(|light| self.layers.iter().any(|layer| layer.light == *light && layer.stages == light.stages()))
+    }
+
+    /// Redoes what changed, takes layers on by a stage, and answers whether anything was done.
     ///
     /// Layers belong to light data, not to places in the list: deleting, inserting and reordering lights keep them.
     /// Those of `dark` lights are kept but not made.
@@ -143,15 +158,21 @@ impl Sample {
         let Some(group) = &self.group else { return false };
 
         let known = |data: &LightData| wanted.lit.contains(data) || wanted.dark.contains(data);
-        let (kept, spare): (Vec<_>, Vec<_>) = self.layers.drain(..).partition(|(data, _)| !fresh && known(data));
+        let (kept, spare): (Vec<_>, Vec<_>) = self.layers.drain(..).partition(|layer| !fresh && known(&layer.light));
         self.layers = kept;
-        let mut spare = spare.into_iter().map(|(_, target)| target);
+        let mut spare = spare.into_iter().map(|layer| layer.target);
         let mut changed = fresh;
         for light in &wanted.lit {
-            if self.layers.iter().all(|(data, _)| data != light) {
+            let place = self.layers.iter().position(|layer| layer.light == *light).unwrap_or_else(|| {
                 let target = spare.next().unwrap_or_else(|| Target::new(device, wanted.seen.size(), FORMAT));
-                layer_pass.draw(device, encoder, group, (light, self.matte), &target);
-                self.layers.push((light.clone(), target));
+                let stages = if wanted.by_stages { 0 } else { light.stages() - 1 };
+                self.layers.push(Layer { light: light.clone(), stages, target });
+                self.layers.len() - 1
+            });
+            let layer = &mut self.layers[place];
+            if layer.stages < light.stages() {
+                layer_pass.draw(device, encoder, group, (light, self.matte), layer.stages, &layer.target);
+                layer.stages += 1;
                 stats.layers += 1;
                 changed = true;
             }
@@ -169,6 +190,8 @@ pub(crate) struct Wanted {
     pub(crate) lobes: Vec<Lobe>,
     /// No material has a specular part: the layers' need not be made.
     pub(crate) matte: bool,
+    /// One stage of each layer an update, rather than the last at once.
+    pub(crate) by_stages: bool,
     /// Lights that contribute.
     pub(crate) lit: Vec<LightData>,
     /// Lights that do not, for now.

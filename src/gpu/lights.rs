@@ -1,5 +1,6 @@
 //! Lights as the layer shaders read them, and which shader answers for which light and method.
 
+use std::borrow::Cow;
 use std::f64::consts::PI;
 use std::sync::Arc;
 
@@ -7,11 +8,12 @@ use glam::DVec3;
 
 use super::shader::{Module, Source};
 use super::table::Table;
+use super::textured::{STAGES, Stage};
 use super::types::{
-    ClusterLight, DirectionalLight, LineLight, OneShotLight, PointLight, PolygonLight, SphereLight, f32_of, u32_of,
-    vec3_of, vec4_of,
+    ClusterLight, DirectionalLight, LineLight, OneShotLight, PointLight, PolygonLight, SphereLight, TexturedLight,
+    f32_of, u32_of, vec3_of, vec4_of,
 };
-use crate::light::{Emitter, LineEmitter, PolygonEmitter, SphereEmitter};
+use crate::light::{Emitter, LineEmitter, PolygonEmitter, SphereEmitter, TexturedEmitter};
 use crate::shading::cluster::{self, PointOfArea};
 use crate::shading::one_shot::{KNOTS, Kernel, OneShot, Radius};
 use crate::shading::{Method, disk, textured};
@@ -53,6 +55,7 @@ impl Responder {
     const ONE_SHOT: Self = Self { modules: &[Module::ONE_SHOT], function: "one_shot_respond" };
     const ONE_SHOT_SQUARE: Self = Self { modules: &[Module::ONE_SHOT], function: "one_shot_respond_square" };
     const ONE_SHOT_SIZED: Self = Self { modules: &[Module::ONE_SHOT], function: "one_shot_respond_sized" };
+    const TEXTURED_EXACT: Self = Self { modules: &[Module::TEXTURED], function: "textured_respond" };
     const CLUSTER: Self = Self { modules: &[Module::POINT, Module::CLUSTER], function: "cluster_respond" };
 
     /// Every one.
@@ -77,6 +80,7 @@ impl Responder {
         Self::ONE_SHOT,
         Self::ONE_SHOT_SQUARE,
         Self::ONE_SHOT_SIZED,
+        Self::TEXTURED_EXACT,
     ];
 
     const fn line(function: &'static str) -> Self {
@@ -112,6 +116,21 @@ pub(crate) struct LightData {
 const OTHER_LOBES_CLUSTER: Method = Method::PointCluster(256);
 
 impl LightData {
+    /// How many stages its layer is made in.
+    pub(crate) fn stages(&self) -> usize {
+        if self.responder == Responder::TEXTURED_EXACT { STAGES.len() } else { 1 }
+    }
+
+    /// The uniform of a stage.
+    pub(crate) fn uniform_at(&self, stage: usize) -> Cow<'_, [u8]> {
+        if self.responder != Responder::TEXTURED_EXACT {
+            return Cow::Borrowed(&self.uniform);
+        }
+        let Stage { opening, negligible } = STAGES[stage.min(STAGES.len() - 1)];
+        let light: TexturedLight = bytemuck::pod_read_unaligned(&self.uniform);
+        Cow::Owned(bytemuck::bytes_of(&TexturedLight { opening, negligible, ..light }).to_vec())
+    }
+
     /// An emitter as `method` sees it, about the eye. `reference` has no shader: the closed form stands in.
     pub(crate) fn new(emitter: &Emitter, method: Method, eye: DVec3) -> Self {
         if let Some(one_shot) = OneShot::new(emitter, method) {
@@ -124,7 +143,7 @@ impl LightData {
             }
             Emitter::Directional(light) => Self::directional(light.to_light),
             Emitter::Disk(light) => Self::polygon(&disk::as_polygon(light), method, eye),
-            Emitter::Textured(light) => Self::polygon(&textured::as_polygon(light), method, eye),
+            Emitter::Textured(light) => Self::textured(light, method, eye),
             Emitter::Cap(light) => Self::directional(light.to_center),
             Emitter::Sky(light) => Self::directional(light.zenith),
             Emitter::Polygon(light) => Self::polygon(light, method, eye),
@@ -172,13 +191,34 @@ impl LightData {
         }
     }
 
+    fn textured(light: &TexturedEmitter, method: Method, eye: DVec3) -> Self {
+        let points = match method {
+            Method::PointCluster(points) => points,
+            Method::Point => 1,
+            _ => {
+                let uniform = TexturedLight {
+                    corner: vec3_of(light.corner - eye),
+                    two_sided: u32::from(light.two_sided),
+                    row: vec3_of(light.row),
+                    column: vec3_of(light.column),
+                    normal: vec3_of(light.normal),
+                    ..Default::default()
+                };
+                let table = Table::Parts(Arc::clone(&light.pattern));
+                return Self { table, ..Self::without_vertices(Responder::TEXTURED_EXACT, &uniform) };
+            }
+        };
+        Self::flat_cluster(&textured::textured_points(light, points), light.normal, light.two_sided, eye)
+    }
+
     fn polygon_cluster(light: &PolygonEmitter, points: &[PointOfArea], eye: DVec3) -> Self {
+        Self::flat_cluster(points, light.normal, light.two_sided, eye)
+    }
+
+    fn flat_cluster(points: &[PointOfArea], normal: DVec3, two_sided: bool, eye: DVec3) -> Self {
         let points = points.iter().map(|point| vec4_of(point.position - eye, point.area)).collect();
-        let emission = if light.two_sided { TWO_SIDED } else { ONE_SIDED };
-        Self::cluster(
-            points,
-            ClusterLight { normal: vec3_of(light.normal), emission, falloff: 2.0, ..Default::default() },
-        )
+        let emission = if two_sided { TWO_SIDED } else { ONE_SIDED };
+        Self::cluster(points, ClusterLight { normal: vec3_of(normal), emission, falloff: 2.0, ..Default::default() })
     }
 
     fn line(light: &LineEmitter, method: Method, eye: DVec3) -> Self {

@@ -19,6 +19,7 @@ mod shader;
 mod table;
 #[cfg(test)]
 mod tests;
+mod textured;
 pub mod twin;
 mod types;
 mod view;

@@ -36,6 +36,8 @@ pub struct Preview {
     picture: Picture,
     /// In the picture's mean.
     samples: u16,
+    /// Every layer has been through all its stages.
+    is_refined: bool,
     stats: Stats,
 }
 
@@ -51,6 +53,7 @@ impl Preview {
             mix: None,
             picture: Picture::new(device, [1, 1]),
             samples: 0,
+            is_refined: false,
             stats: Stats::default(),
         }
     }
@@ -69,6 +72,7 @@ impl Preview {
         let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         let passes = (&self.gbuffer_pass, &mut self.layer_pass);
         let redone = self.centred.update(device, &mut encoder, passes, &wanted, &mut self.stats);
+        self.is_refined = self.centred.is_refined(&wanted.lit);
         if self.picture.size() != view.size {
             self.picture = Picture::new(device, view.size);
         }
@@ -80,7 +84,7 @@ impl Preview {
             self.accumulate(device, &mut encoder, &mix, false);
         } else if view.refine && !self.is_converged() {
             let jitter = jitter(self.samples);
-            let wanted = Wanted { seen: Seen::new(scene, &view, jitter), ..wanted };
+            let wanted = Wanted { seen: Seen::new(scene, &view, jitter), by_stages: false, ..wanted };
             let passes = (&self.gbuffer_pass, &mut self.layer_pass);
             self.jittered.update(device, &mut encoder, passes, &wanted, &mut self.stats);
             self.accumulate(device, &mut encoder, &mix, true);
@@ -106,7 +110,12 @@ impl Preview {
 
     /// Whether rendering the same again, with [`View::refine`], changes nothing.
     pub fn is_converged(&self) -> bool {
-        self.samples >= SAMPLES
+        self.is_refined && self.samples >= SAMPLES
+    }
+
+    /// Whether every layer is as accurate as it gets: an exact textured light's layer takes a few calls.
+    pub fn is_refined(&self) -> bool {
+        self.is_refined
     }
 
     /// The picture, copied out of the device.
@@ -127,7 +136,7 @@ impl Preview {
 pub fn picture(context: &Context, scene: &Scene, view: &View) -> Result<Pixels, ReadBackError> {
     let mut preview = Preview::new(&context.device, &context.queue);
     preview.render(&context.device, &context.queue, scene, view);
-    while view.refine && !preview.is_converged() {
+    while !preview.is_refined() || (view.refine && !preview.is_converged()) {
         preview.render(&context.device, &context.queue, scene, view);
     }
     preview.read_back(&context.device, &context.queue)
@@ -147,6 +156,7 @@ fn wanted(scene: &Scene, view: &View, jitter: [f32; 2]) -> (Wanted, Mix) {
         seen: Seen::new(scene, view, jitter),
         lobes: lobes(scene, view.method),
         matte,
+        by_stages: true,
         lit: Vec::new(),
         dark: Vec::new(),
     };

@@ -39,6 +39,8 @@ modules! {
     ONE_SHOT = "one_shot.wgsl";
     /// Spherical lights.
     SPHERE = "sphere.wgsl";
+    /// Textured lights.
+    TEXTURED = "textured.wgsl";
     /// The pass's triangle.
     FULLSCREEN = "fullscreen.wgsl";
     /// The first layer.

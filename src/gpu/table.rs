@@ -2,8 +2,9 @@
 
 use std::sync::Arc;
 
-use super::pass;
 use super::types::f32_of;
+use super::{pass, textured};
+use crate::light::pattern::Channel;
 use crate::shading::one_shot::{Kernel, Prefiltered};
 
 /// A table by what it is made of; equal where that is the very same.
@@ -14,6 +15,8 @@ pub(crate) enum Table {
     None,
     /// A prefiltered pattern's sums over a kernel.
     Pattern(Arc<Prefiltered>, Kernel),
+    /// A pattern's parts.
+    Parts(Arc<Channel>),
 }
 
 impl PartialEq for Table {
@@ -21,6 +24,7 @@ impl PartialEq for Table {
         match (self, other) {
             (Self::None, Self::None) => true,
             (Self::Pattern(a, a_kernel), Self::Pattern(b, b_kernel)) => Arc::ptr_eq(a, b) && a_kernel == b_kernel,
+            (Self::Parts(a), Self::Parts(b)) => Arc::ptr_eq(a, b),
             _ => false,
         }
     }
@@ -31,6 +35,7 @@ impl Table {
     pub(crate) fn numbers(&self) -> Vec<f32> {
         match self {
             Self::None => vec![0.0],
+            Self::Parts(channel) => textured::parts(channel),
             Self::Pattern(pattern, Kernel::Disk) => pattern.disks().sums().iter().copied().map(f32_of).collect(),
             Self::Pattern(pattern, Kernel::Square) => {
                 pattern.mipmap().levels().iter().flatten().copied().map(f32_of).collect()

@@ -101,6 +101,18 @@ gpu_structs! {
         pad: [u32; 3],
     }
 
+    /// A textured light.
+    TexturedLight {
+        corner: Vec3,
+        two_sided: u32,
+        row: Vec3,
+        unused: u32,
+        column: Vec3,
+        opening: f32,
+        normal: Vec3,
+        negligible: f32,
+    }
+
     /// Point lights that stand for a light.
     ClusterLight {
         normal: Vec3,
@@ -149,7 +161,8 @@ gpu_structs! {
         two_sided: u32,
         first: u32,
         count: u32,
-        pad: [u32; 2],
+        columns: u32,
+        rows: u32,
     }
 
     /// Where a twin's row is.

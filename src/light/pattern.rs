@@ -8,6 +8,7 @@ use std::borrow::Cow;
 use std::fmt;
 use std::sync::{Arc, OnceLock};
 
+use glam::DVec3;
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
@@ -160,6 +161,14 @@ impl Image {
     /// One texel of value 1.
     pub fn white() -> Self {
         Self::Grey(Arc::new(Channel::white()))
+    }
+
+    /// The texel at shares u of a row and v of a column, from 0 to 1.
+    pub fn value(&self, u: f64, v: f64) -> DVec3 {
+        match self {
+            Self::Grey(channel) => DVec3::splat(channel.value(u, v)),
+            Self::Color(channels) => DVec3::from_array(channels.each_ref().map(|channel| channel.value(u, v))),
+        }
     }
 
     /// The channels: one, or red, green and blue.

@@ -1,13 +1,16 @@
 //! Lights as things that are seen.
 //!
 //! Polygons and spheres are surfaces of their own luminance. A one-sided polygon is seen from its lit side only, and
-//! a sphere from outside: from behind and within, where they do not emit, they hide nothing. Lines, points and
+//! a sphere from outside: from behind and within, where they do not emit, they hide nothing; nor do black texels. Lines, points and
 //! directional lights have no area, so that pictures of radiance do not show them.
 
 use glam::{DVec2, DVec3};
 
-use crate::light::{Emitter, PolygonEmitter, SphereEmitter};
-use crate::shading::{disk, textured};
+use std::sync::Arc;
+
+use crate::light::pattern::Image;
+use crate::light::{Emitter, Light, PolygonEmitter, Shape, SphereEmitter, TexturedEmitter};
+use crate::shading::disk;
 
 /// An emitter with an area, prepared for rays.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,16 +28,36 @@ pub enum PlacedEmitter {
     },
     /// A sphere.
     Sphere(SphereEmitter),
+    /// A rectangle with a pattern; a black texel hides nothing.
+    Textured(TexturedEmitter, Image),
 }
 
 impl PlacedEmitter {
+    /// A light for rays; none where its shape has no area.
+    pub fn of_light(light: &Light) -> Option<Self> {
+        match (&light.shape, light.emitter()) {
+            (Shape::Textured(textured), Emitter::Textured(emitter)) => {
+                Some(Self::Textured(emitter, textured.pattern.image.clone()))
+            }
+            (_, emitter) => Self::new(&emitter),
+        }
+    }
+
+    /// The luminance of a point of it, as a share of the light's.
+    pub fn luminance(&self, p: DVec3) -> DVec3 {
+        match self {
+            Self::Polygon { .. } | Self::Sphere(_) => DVec3::ONE,
+            Self::Textured(light, image) => luminance(light, image, p),
+        }
+    }
+
     /// The emitter for rays; none where its shape has no area.
     pub fn new(emitter: &Emitter) -> Option<Self> {
         match emitter {
             Emitter::Polygon(polygon) => Self::polygon(polygon),
             Emitter::Sphere(sphere) => Some(Self::Sphere(*sphere)),
             Emitter::Disk(disk) => Self::polygon(&disk::as_polygon(disk)),
-            Emitter::Textured(textured) => Self::polygon(&textured::as_polygon(textured)),
+            Emitter::Textured(light) => Some(Self::Textured(light.clone(), Image::Grey(Arc::clone(&light.pattern)))),
             Emitter::Line(_) | Emitter::Cap(_) | Emitter::Sky(_) | Emitter::Point(_) | Emitter::Directional(_) => None,
         }
     }
@@ -61,7 +84,27 @@ pub fn intersect_emitter(emitter: &PlacedEmitter, origin: DVec3, direction: DVec
             (t > 0.0 && t.is_finite() && contains(vertices, DVec2::new(p.dot(*x), p.dot(*y)))).then_some(t)
         }
         PlacedEmitter::Sphere(sphere) => intersect_sphere(sphere, origin, direction),
+        PlacedEmitter::Textured(light, image) => {
+            let towards = direction.dot(light.normal);
+            if towards >= 0.0 && !light.two_sided {
+                return None;
+            }
+            let t = (light.corner - origin).dot(light.normal) / towards;
+            let p = origin + t * direction;
+            (t > 0.0 && t.is_finite() && luminance(light, image, p) != DVec3::ZERO).then_some(t)
+        }
     }
+}
+
+/// The luminance of a textured light's texel at a point of its plane; black beside it.
+fn luminance(light: &TexturedEmitter, image: &Image, p: DVec3) -> DVec3 {
+    let from_corner = p - light.corner;
+    let share = |side: DVec3| from_corner.dot(side) / side.length_squared();
+    let (u, v) = (share(light.row), share(light.column));
+    if !((0.0..1.0).contains(&u) && (0.0..1.0).contains(&v)) {
+        return DVec3::ZERO;
+    }
+    image.value(u, v)
 }
 
 /// Distance to a sphere from outside.

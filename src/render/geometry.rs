@@ -55,7 +55,7 @@ impl Geometry {
         Self {
             surfaces: surfaces.collect(),
             emitters: emitters
-                .filter_map(|(i, light)| Some((i, PlacedEmitter::new(&light.emitter())?, light.weight())))
+                .filter_map(|(i, light)| Some((i, PlacedEmitter::of_light(light)?, light.weight())))
                 .collect(),
         }
     }
@@ -65,10 +65,10 @@ impl Geometry {
         self.surfaces.get(surface)?.1
     }
 
-    /// Radiance of a light's own surface, cd/m²: its weight, as emitters are of unit luminance.
-    pub fn emitted(&self, light: usize) -> DVec3 {
+    /// Radiance of a point of a light's own surface, cd/m².
+    pub fn emitted(&self, light: usize, p: DVec3) -> DVec3 {
         let placed = self.emitters.iter().find(|(i, _, _)| *i == light);
-        placed.map_or(DVec3::ZERO, |(_, _, weight)| *weight)
+        placed.map_or(DVec3::ZERO, |(_, emitter, weight)| emitter.luminance(p) * *weight)
     }
 
     /// The nearest thing in front of `origin`; of things equally near, a surface, then the first.

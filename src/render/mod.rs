@@ -195,7 +195,7 @@ impl View {
     /// L_out of what a ray meets, towards its origin, cd/m².
     fn radiance(&self, seen: &Seen, direction: DVec3) -> DVec3 {
         match seen.thing {
-            Thing::Light(light) => self.geometry.emitted(light),
+            Thing::Light(light) => self.geometry.emitted(light, seen.p),
             Thing::Surface(surface) => {
                 let Some(reflection) = self.geometry.material(surface).and_then(|m| self.reflections.get(m)) else {
                     return DVec3::ZERO;

@@ -23,6 +23,9 @@ struct VisibleEmitter {
     two_sided: u32,
     first: u32,
     count: u32,
+    // Of a textured light, whose texels follow its corners; else 0.
+    columns: u32,
+    rows: u32,
 }
 
 @group(0) @binding(0) var positions: texture_2d<f32>;
@@ -97,11 +100,29 @@ fn emitter_seen(position: vec4f) -> vec4f {
             t = distance_to_polygon(emitter, d);
         }
         if t > 0.0 && t < nearest {
-            nearest = t;
-            seen = vec4f(emitter.radiance, 1.0);
+            let luminance = luminance_seen(emitter, t * d);
+            if any(luminance > vec3f()) {
+                nearest = t;
+                seen = vec4f(emitter.radiance * luminance, 1.0);
+            }
         }
     }
     return seen;
+}
+
+// The texel of a textured light at a point about the eye; 1 on any other emitter.
+fn luminance_seen(emitter: VisibleEmitter, p: vec3f) -> vec3f {
+    if emitter.columns == 0u {
+        return vec3f(1.0);
+    }
+    // The corners run down the first column, then along the last row.
+    let corner = emitter_vertices[emitter.first].xyz;
+    let column = emitter_vertices[emitter.first + 1u].xyz - corner;
+    let row = emitter_vertices[emitter.first + 3u].xyz - corner;
+    let share = vec2f(dot(p - corner, row) / dot(row, row), dot(p - corner, column) / dot(column, column));
+    let count = vec2u(emitter.columns, emitter.rows);
+    let texel = min(vec2u(max(share, vec2f()) * vec2f(count)), count - 1u);
+    return emitter_vertices[emitter.first + emitter.count + texel.y * count.x + texel.x].xyz;
 }
 
 fn distance_to_sphere(centre: vec3f, radius: f32, d: vec3f) -> f32 {

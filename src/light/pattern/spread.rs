@@ -42,6 +42,11 @@ impl Span {
         0.5 * (self.lo + self.hi) + 0.5 * self.length() * x
     }
 
+    /// How many texels it has a part of.
+    pub fn texels(&self) -> u32 {
+        self.count
+    }
+
     /// Whether it lies in a single texel.
     pub fn is_within_texel(&self) -> bool {
         self.count == 1
