@@ -77,7 +77,7 @@ fn check(what: &str, a: BoundedResponse, b: BoundedResponse) {
 #[test]
 fn exact_is_finite_not_negative_bounded_and_as_sure_as_it_says() {
     let mut random = Random::new(31);
-    for case in 0..cases_wanted(20_000) {
+    for case in 0..cases_wanted(5_000) {
         let (light, at, lobe) = any_case(&mut random);
         let answer = textured_exact(&light, &at, &lobe, Sought::default());
         let brightest =
