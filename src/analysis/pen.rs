@@ -23,6 +23,7 @@ impl Pen {
             Method::Exact => Self::new(0x22_26_2b, 0xf4_f6_f8, &[]),
             Method::Chebyshev { .. } => Self::new(0x00_72_b2, 0x4a_a8_f0, &[9.0, 3.0]),
             Method::NearestPoint => Self::new(0x00_9e_73, 0x2e_cf_9d, &[6.0, 2.5]),
+            Method::NearestPointPicott => Self::new(0x11_77_33, 0x7f_d8_8b, &[6.0, 2.5, 1.5, 2.5]),
             Method::Hermite1 => Self::new(0x56_b4_e9, 0x8f_d3_ff, &[12.0, 3.0]),
             Method::Hermite2 => Self::new(0xcc_79_a7, 0xf2_9c_cb, &[5.0, 2.5, 2.5, 2.5]),
             Method::OneShot => Self::new(0x88_22_55, 0xf0_8c_bc, &[7.0, 2.0, 1.5, 2.0]),

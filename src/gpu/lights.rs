@@ -52,6 +52,10 @@ impl Responder {
         Self { modules: &[Module::POINT, Module::CONTOUR, Module::POLYGON], function: "polygon_respond_exact" };
     const POLYGON_NEAREST_POINT: Self =
         Self { modules: &[Module::POINT, Module::CONTOUR, Module::POLYGON], function: "polygon_respond_nearest_point" };
+    const POLYGON_NEAREST_POINT_PICOTT: Self = Self {
+        modules: &[Module::POINT, Module::CONTOUR, Module::POLYGON],
+        function: "polygon_respond_nearest_point_picott",
+    };
     const ONE_SHOT: Self = Self { modules: &[Module::ONE_SHOT], function: "one_shot_respond" };
     const ONE_SHOT_SQUARE: Self = Self { modules: &[Module::ONE_SHOT], function: "one_shot_respond_square" };
     const ONE_SHOT_SIZED: Self = Self { modules: &[Module::ONE_SHOT], function: "one_shot_respond_sized" };
@@ -77,6 +81,7 @@ impl Responder {
         Self::SPHERE_CLUSTER,
         Self::POLYGON_EXACT,
         Self::POLYGON_NEAREST_POINT,
+        Self::POLYGON_NEAREST_POINT_PICOTT,
         Self::ONE_SHOT,
         Self::ONE_SHOT_SQUARE,
         Self::ONE_SHOT_SIZED,
@@ -174,6 +179,7 @@ impl LightData {
                 return Self::polygon_cluster(light, &[whole], eye);
             }
             Method::NearestPoint => Responder::POLYGON_NEAREST_POINT,
+            Method::NearestPointPicott => Responder::POLYGON_NEAREST_POINT_PICOTT,
             _ => Responder::POLYGON_EXACT,
         };
         let uniform = PolygonLight {

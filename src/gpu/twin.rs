@@ -65,6 +65,9 @@ functions! {
     /// Row: p, the light's normal, normal, mirror direction; and the corners.
     POLYGON_LEAST_ANGLE_COSINE = "polygon_least_angle_cosine" in &[Module::CONTOUR, Module::POLYGON],
         "(Corners(row.first_vertex, row.vertex_count, v(0), v(3)), v(6), v(9))";
+    /// Row: p, the light's normal, normal, mirror direction; and the corners.
+    POLYGON_PROJECTED_EDGE_COSINE = "polygon_projected_edge_cosine" in &[Module::CONTOUR, Module::POLYGON],
+        "(Corners(row.first_vertex, row.vertex_count, v(0), v(3)), v(6), v(9))";
     /// Row: vector to the centre, radius, normal.
     SPHERE_IRRADIANCE = "sphere_irradiance" in &[Module::POINT, Module::SPHERE], "(v(0), f(3), v(4))";
     /// Row: vector to the centre, radius, normal.

@@ -22,6 +22,8 @@ pub enum Method {
     },
     /// Specular from the light's point of least angle to the mirror direction ([`crate::refs::PICOTT_1992`], §2.2, §3.2).
     NearestPoint,
+    /// As [`Method::NearestPoint`] of a polygon, by [`crate::refs::PICOTT_1992`]'s own rule for its edges (§3.2).
+    NearestPointPicott,
     /// Cubic Hermite fit with one segment ([`crate::refs::SNYDER_1996`], §2.2).
     Hermite1,
     /// Cubic Hermite fit with two segments ([`crate::refs::SNYDER_1996`], §2.2).
@@ -46,7 +48,7 @@ const DEFAULT_CLUSTER: u32 = 16;
 /// A method name that is none.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error(
-    "unknown method `{0}`: use exact, chebyshev[-DEGREE[-LEVELS]], nearest-point, hermite-1, hermite-2, one-shot, one-shot-square, one-shot-sized, point-cluster[-N], point or reference"
+    "unknown method `{0}`: use exact, chebyshev[-DEGREE[-LEVELS]], nearest-point, nearest-point-picott, hermite-1, hermite-2, one-shot, one-shot-square, one-shot-sized, point-cluster[-N], point or reference"
 )]
 pub struct UnknownMethod(String);
 
@@ -67,6 +69,7 @@ impl Method {
             Shape::Polygon(_) => &[
                 Self::Exact,
                 Self::NearestPoint,
+                Self::NearestPointPicott,
                 Self::OneShot,
                 Self::OneShotSquare,
                 Self::OneShotSized,
@@ -136,6 +139,7 @@ impl fmt::Display for Method {
             Self::Chebyshev { degree, levels: 256 } => f.pad(&format!("chebyshev-{degree}")),
             Self::Chebyshev { degree, levels } => f.pad(&format!("chebyshev-{degree}-{levels}")),
             Self::NearestPoint => f.pad("nearest-point"),
+            Self::NearestPointPicott => f.pad("nearest-point-picott"),
             Self::Hermite1 => f.pad("hermite-1"),
             Self::Hermite2 => f.pad("hermite-2"),
             Self::OneShot => f.pad("one-shot"),
@@ -157,6 +161,7 @@ impl FromStr for Method {
             "exact" => Self::Exact,
             "chebyshev" => Self::CHEBYSHEV,
             "nearest-point" => Self::NearestPoint,
+            "nearest-point-picott" => Self::NearestPointPicott,
             "hermite-1" => Self::Hermite1,
             "hermite-2" => Self::Hermite2,
             "one-shot" => Self::OneShot,

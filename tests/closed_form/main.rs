@@ -6,6 +6,7 @@ mod line;
 mod lobes;
 mod one_shot;
 mod polygon;
+mod polygon_properties;
 mod properties;
 mod random;
 mod reference;

@@ -3,12 +3,12 @@
 use std::f64::consts::PI;
 
 use glam::DVec3;
-use softbox::light::{Emitter, PolygonEmitter};
+use softbox::light::PolygonEmitter;
 use softbox::math::spherical::triangle_solid_angle;
-use softbox::shading::polygon::{polygon_irradiance, polygon_phong, polygon_phong_lobe_only};
-
-use softbox::shading::reference::reference;
-use softbox::shading::{Method, PhongLobe, ShadingPoint, respond};
+use softbox::shading::polygon::{
+    polygon_irradiance, polygon_least_angle_cosine, polygon_phong, polygon_phong_lobe_only,
+    polygon_projected_edge_cosine,
+};
 
 use crate::cases::{self, Worst};
 use crate::random::Random;
@@ -57,71 +57,8 @@ fn polygon_phong_lobe_only_matches_the_reference_cases() {
     worst.finish("polygon_phong_lobe_only", 1e-13, 1e-10);
 }
 
-/// A star-shaped polygon, convex or not, and a point that looks at it.
-fn random_view(random: &mut Random) -> (PolygonEmitter, ShadingPoint, PhongLobe) {
-    let normal = random.direction();
-    let (x, y) = normal.any_orthonormal_pair();
-    let center = random.direction() * random.magnitude(1e-2, 100.0);
-    let corners = 3.0 + random.within(0.0, 6.0).floor();
-    let mut vertices = Vec::new();
-    while (vertices.len() as f64) < corners {
-        let angle = -2.0 * PI * vertices.len() as f64 / corners;
-        vertices.push(center + random.magnitude(0.1, 1.0) * (angle.cos() * x + angle.sin() * y));
-    }
-    let (n, mut v) = (random.direction(), random.direction());
-    if v.dot(n) < 0.0 {
-        v -= 2.0 * v.dot(n) * n;
-    }
-    let m = random.magnitude(1.0, 1000.0);
-    let lobe = PhongLobe::new(if random.within(0.0, 1.0) < 0.5 { m } else { m.round() });
-    (PolygonEmitter { vertices, normal, two_sided: true }, ShadingPoint { p: DVec3::ZERO, n, v }, lobe)
-}
-
-#[test]
-fn polygon_responses_are_finite_and_bounded_by_every_method() {
-    let mut random = Random::new(31);
-    for _ in 0..cases_wanted(20_000) {
-        let (light, at, lobe) = random_view(&mut random);
-        let emitter = Emitter::Polygon(light);
-        for method in [Method::Exact, Method::NearestPoint, Method::Point, Method::PointCluster(16)] {
-            let x = respond(&emitter, method, &at, &lobe);
-            let finite = x.irradiance.is_finite() && x.specular.is_finite();
-            assert!(
-                finite && x.irradiance >= 0.0 && x.specular >= 0.0,
-                "{method}: {x:?} for {emitter:?} {at:?} {lobe:?}"
-            );
-            let bounded = x.irradiance <= PI * (1.0 + 1e-12) && x.specular <= 1.0 + 1e-9;
-            let is_points = matches!(method, Method::Point | Method::PointCluster(_));
-            assert!(is_points || bounded, "{method}: {x:?} for {emitter:?} {at:?} {lobe:?}");
-        }
-    }
-}
-
-#[test]
-fn polygon_exact_lies_in_the_band_of_the_reference() {
-    let mut random = Random::new(32);
-    for _ in 0..cases_wanted(300) {
-        let (light, at, lobe) = random_view(&mut random);
-        let emitter = Emitter::Polygon(light);
-        let exact = respond(&emitter, Method::Exact, &at, &lobe);
-        let band = reference(&emitter, &at, &lobe);
-        for (x, band) in [(exact.irradiance, band.irradiance), (exact.specular, band.specular)] {
-            let off = (x - band.value).abs();
-            assert!(
-                off <= band.error + 1e-13 + 1e-10 * x,
-                "{x:e} is {off:e} off {band:?} for {emitter:?} {at:?} {lobe:?}"
-            );
-        }
-    }
-}
-
-/// How many random inputs to try: `usual`, or as `SOFTBOX_PROPERTY_CASES` says.
-fn cases_wanted(usual: usize) -> usize {
-    std::env::var("SOFTBOX_PROPERTY_CASES").ok().and_then(|count| count.parse().ok()).unwrap_or(usual)
-}
-
 /// A square light of half-width `half` at height `height`, facing down.
-fn ceiling(half: f64, height: f64) -> Vec<DVec3> {
+pub(crate) fn ceiling(half: f64, height: f64) -> Vec<DVec3> {
     [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(|(x, y)| DVec3::new(half * x, half * y, height)).to_vec()
 }
 
@@ -170,4 +107,72 @@ fn series_and_quadrature_agree_across_integer_exponents() {
         let between = 0.5 * (at(m - 1e-6_f64.min(m - 1.0)) + at(m + 1e-6_f64.min(m - 1.0)));
         assert!((at(m) - between).abs() < 1e-10, "{} for {between} at m = {m}", at(m));
     }
+}
+
+/// Mean and worst of how many degrees more than the least angle the projected-edge rule gives.
+#[derive(Debug, Default)]
+struct Excess {
+    count: f64,
+    sum: f64,
+    worst: f64,
+}
+
+impl Excess {
+    fn add(&mut self, degrees: f64) {
+        self.count += 1.0;
+        self.sum += degrees;
+        self.worst = self.worst.max(degrees);
+    }
+}
+
+/// Picott's rule on random parallelograms, against the least angle: the figures that its documentation states.
+#[test]
+fn projected_edges_are_as_far_off_as_documented() {
+    let mut random = Random::new(33);
+    let (mut one, mut both) = (Excess::default(), Excess::default());
+    let (mut misses, mut missed) = (0.0, 0.0);
+    let mut hits = 0;
+    while hits < 100_000 {
+        hits += 1;
+        let (corner, u, v) = (3.0 * random.direction(), random.point(2.0), random.point(2.0));
+        let vertices = vec![corner, corner + u, corner + u + v, corner + v];
+        let light = PolygonEmitter { vertices, normal: u.cross(v).normalize(), two_sided: true };
+        let r = random.direction();
+        let least = polygon_least_angle_cosine(&light, DVec3::ZERO, r, r);
+        let Some(distance) = Some(corner.dot(light.normal) / r.dot(light.normal)).filter(|distance| *distance > 0.0)
+        else {
+            misses += 1.0;
+            missed += f64::from(u8::from(least.is_some()));
+            assert_eq!(polygon_projected_edge_cosine(&light, DVec3::ZERO, r, r), None, "no meeting point: {light:?}");
+            continue;
+        };
+        let meeting = distance * r - corner;
+        let scale = u.cross(v).length_squared();
+        let s = meeting.cross(v).dot(u.cross(v)) / scale;
+        let t = u.cross(meeting).dot(u.cross(v)) / scale;
+        let out = [s, t].iter().filter(|x| !(0.0..=1.0).contains(*x)).count();
+        let (Some(least), Some(picott)) = (least, polygon_projected_edge_cosine(&light, DVec3::ZERO, r, r)) else {
+            continue;
+        };
+        assert!(picott <= least + 1e-9, "{picott} is better than the best, {least}, for {light:?}, {r}");
+        let degrees = |cosine: f64| (1.0 - cosine * cosine).max(0.0).sqrt().atan2(cosine).to_degrees();
+        match out {
+            0 => assert!(picott == 1.0 && least == 1.0, "r meets the light: {picott}, {least} for {light:?}, {r}"),
+            1 => one.add(degrees(picott) - degrees(least)),
+            _ => both.add(degrees(picott) - degrees(least)),
+        }
+    }
+    let mean = |excess: &Excess| excess.sum / excess.count;
+    println!(
+        "one out of range: mean {:.2}, worst {:.1}; both: mean {:.2}, worst {:.1}; none in front {:.3}, of these missed {:.3}",
+        mean(&one),
+        one.worst,
+        mean(&both),
+        both.worst,
+        misses / 1e5,
+        missed / misses
+    );
+    assert!((mean(&one) - 4.4).abs() < 0.1 && (70.0..80.0).contains(&one.worst), "one out of range: {one:?}");
+    assert!((mean(&both) - 1.6).abs() < 0.1 && (45.0..55.0).contains(&both.worst), "both out of range: {both:?}");
+    assert!((missed / misses - 0.49).abs() < 0.01, "{missed} of {misses} without a point in front have one");
 }

@@ -6,10 +6,13 @@ use glam::DVec3;
 use softbox::gpu::twin::cases::{Case, polygon_irradiance_case, polygon_phong_case};
 use softbox::gpu::twin::{self, Row, rounded, rounded_number};
 use softbox::light::PolygonEmitter;
-use softbox::shading::polygon::polygon_least_angle_cosine;
+use softbox::shading::polygon::{polygon_least_angle_cosine, polygon_projected_edge_cosine};
 
 use crate::cases;
 use crate::twins::{Random, check};
+
+/// What finds the nearest point's cosine.
+type Rule = fn(&PolygonEmitter, DVec3, DVec3, DVec3) -> Option<f64>;
 
 /// Corners about p, and what looks at them; rounded to f32.
 struct Inputs {
@@ -50,12 +53,12 @@ impl Inputs {
         polygon_phong_case(&self.vertices, DVec3::ZERO, self.n, self.r, self.m)
     }
 
-    fn least_angle_cosine(&self) -> Case {
+    fn nearest_point(&self, rule: Rule) -> Case {
         let corner = self.vertices[0];
         let doubled: DVec3 = self.vertices.windows(2).map(|edge| (edge[0] - corner).cross(edge[1] - corner)).sum();
         let light =
             PolygonEmitter { vertices: self.vertices.clone(), normal: rounded(doubled.normalize()), two_sided: true };
-        let cosine = polygon_least_angle_cosine(&light, DVec3::ZERO, self.n.normalize(), self.r.normalize());
+        let cosine = rule(&light, DVec3::ZERO, self.n.normalize(), self.r.normalize());
         let row = Row::default()
             .vertices(&self.vertices)
             .vector(DVec3::ZERO)
@@ -104,7 +107,8 @@ fn phong_series_of_a_polygon_matches() {
 
 #[test]
 fn least_angle_of_a_polygon_matches() {
-    let cases: Vec<_> = phong_inputs(23).iter().map(Inputs::least_angle_cosine).collect();
+    let cases: Vec<_> =
+        phong_inputs(23).iter().map(|inputs| inputs.nearest_point(polygon_least_angle_cosine)).collect();
     check(
         &twin::POLYGON_LEAST_ANGLE_COSINE,
         (
@@ -113,4 +117,12 @@ fn least_angle_of_a_polygon_matches() {
         ),
         &cases,
     );
+}
+
+#[test]
+fn projected_edge_of_a_polygon_matches() {
+    let mut random = Random(25);
+    let cases: Vec<_> =
+        (0..4000).map(|_| Inputs::random(&mut random).nearest_point(polygon_projected_edge_cosine)).collect();
+    check(&twin::POLYGON_PROJECTED_EDGE_COSINE, ("a + share * side", "a + 1.001 * share * side"), &cases);
 }

@@ -252,7 +252,9 @@ impl Check {
             (Light::Cap { .. }, Part::Specular) => return &[Method::Exact],
         };
         match (emitter, self.part) {
-            (Emitter::Polygon(_), Part::Specular) => &[Method::Exact, Method::NearestPoint, CLUSTER, Method::Point],
+            (Emitter::Polygon(_), Part::Specular) => {
+                &[Method::Exact, Method::NearestPoint, Method::NearestPointPicott, CLUSTER, Method::Point]
+            }
             (Emitter::Line(_), Part::Specular) => {
                 &[Method::Exact, Method::CHEBYSHEV, Method::NearestPoint, CLUSTER, Method::Point]
             }

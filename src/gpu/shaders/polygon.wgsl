@@ -28,6 +28,15 @@ fn polygon_respond_nearest_point(at: Shading) -> Response {
     return Response(polygon_irradiance(corners, at.n), power(cosine, lobes[at.lobe].exponent));
 }
 
+fn polygon_respond_nearest_point_picott(at: Shading) -> Response {
+    let corners = Corners(0u, polygon_light.count, at.p, polygon_light.normal);
+    if !polygon_shines_on(corners) {
+        return Response(0.0, 0.0);
+    }
+    let cosine = polygon_projected_edge_cosine(corners, at.n, at.r);
+    return Response(polygon_irradiance(corners, at.n), power(cosine, lobes[at.lobe].exponent));
+}
+
 // Whether p is on a lit side, and not within rounding of the light's own plane.
 fn polygon_shines_on(corners: Corners) -> bool {
     let to_corner = corner(corners, 0u);
@@ -458,6 +467,11 @@ fn polygon_least_angle_cosine(corners: Corners, n: vec3f, r: vec3f) -> f32 {
         let core = core_of(arc, r, false);
         best = max(best, select(0.0, greatest_z(core), core.exists && !arc.closes));
     }
+    return select(min(best, 1.0), 1.0, is_met(corners, r) && dot(n, r) > 0.0);
+}
+
+// Whether the ray from p along r meets the polygon.
+fn is_met(corners: Corners, r: vec3f) -> bool {
     var turn = 0.0;
     for (var i = 0u; i < corners.count; i++) {
         let a = corner(corners, i);
@@ -465,5 +479,35 @@ fn polygon_least_angle_cosine(corners: Corners, n: vec3f, r: vec3f) -> f32 {
         turn += arctangent(dot(r, cross(a, b - a)), dot_across(r, a, b));
     }
     let in_front = dot(corners.normal, corner(corners, 0u)) * dot(corners.normal, r) > 0.0;
-    return select(min(best, 1.0), 1.0, in_front && abs(turn) > PI && dot(n, r) > 0.0);
+    return in_front && abs(turn) > PI;
+}
+
+// cos α of the point that Picott takes for the one of least angle α with r; 0 where he takes none.
+fn polygon_projected_edge_cosine(corners: Corners, n: vec3f, r: vec3f) -> f32 {
+    let height = dot(corners.normal, corner(corners, 0u));
+    if height * dot(corners.normal, r) <= 0.0 {
+        return 0.0;
+    }
+    // Perpendicular to the plane through p that holds r and its projection.
+    let across = cross(corners.normal, r);
+    var best = 0.0;
+    for (var i = 0u; i < corners.count; i++) {
+        let a = corner(corners, i);
+        let side = corner(corners, i + 1u) - a;
+        let run = dot(across, side);
+        let share = select(clamp(-dot(across, a) / run, 0.0, 1.0), 0.0, run == 0.0);
+        let x = a + share * side;
+        let is_outside = height * dot(r, cross(a, side)) < 0.0;
+        best = max(best, select(0.0, cosine_to(r, x), is_outside && dot(n, x) >= 0.0));
+    }
+    return select(min(best, 1.0), select(0.0, 1.0, dot(n, r) > 0.0), is_met(corners, r));
+}
+
+// The cosine of x to the unit r, from the sine where that is small.
+fn cosine_to(r: vec3f, x: vec3f) -> f32 {
+    let square = max(dot(x, x), 1e-37);
+    let across = cross(r, x);
+    let off_axis = dot(across, across) / square;
+    let cosine = dot(r, x) * inverseSqrt(square);
+    return select(cosine, sqrt(max(1.0 - off_axis, 0.0)), cosine > 0.0 && off_axis < 0.5);
 }

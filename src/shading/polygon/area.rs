@@ -69,8 +69,8 @@ fn product_rule([u, v, w]: [DVec3; 3], f: &impl Fn(DVec3) -> f64) -> f64 {
         (1.0 - t)
             * RULE.integrate(0.0, 1.0, |s| {
                 let x = start + s * side;
-                let inverse = x.length_recip();
-                f(x * inverse) * inverse * inverse * inverse
+                let length = x.length();
+                if length > 0.0 { f(x / length) / (length * length * length) } else { 0.0 }
             })
     })
 }

@@ -1,5 +1,7 @@
 //! Irradiance of a polygon, exactly.
 
+use std::f64::consts::PI;
+
 use glam::DVec3;
 
 use super::area::{EdgeSum, area_integral};
@@ -22,11 +24,13 @@ pub fn polygon_irradiance(vertices: &[DVec3], p: DVec3, n: DVec3) -> f64 {
     let mut clip = HorizonClip::new(n);
     let clipped = edges(vertices, p).flat_map(move |edge| clip.clip(edge)).flatten();
     let sum: EdgeSum = clipped.clone().map(|edge| edge_term(edge, n)).collect();
-    if sum.cancels(vertices, p, 2.0, 1.0) {
-        area_integral(clipped, RESOLUTION, &|direction| direction.dot(n).max(0.0)).abs()
+    let irradiance = if sum.cancels(vertices, p, 2.0, 1.0) {
+        area_integral(clipped, RESOLUTION, &|direction| direction.dot(n).max(0.0))
     } else {
-        0.5 * sum.value.abs()
-    }
+        0.5 * sum.value
+    };
+    // In the light's own plane both are no more than a guess.
+    irradiance.abs().min(PI)
 }
 
 /// Over less than this angle the area integral's rule is accurate to rounding.

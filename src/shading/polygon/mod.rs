@@ -6,7 +6,7 @@ mod nearest;
 mod phong;
 
 pub use irradiance::polygon_irradiance;
-pub use nearest::polygon_least_angle_cosine;
+pub use nearest::{polygon_least_angle_cosine, polygon_projected_edge_cosine};
 pub use phong::{polygon_phong, polygon_phong_lobe_only};
 
 use glam::DVec3;
@@ -15,8 +15,8 @@ use super::{Method, PhongLobe, Response, ShadingPoint, cluster, point};
 use crate::light::PolygonEmitter;
 use crate::math::spherical::Edge;
 
-/// Response to a polygon of luminance 1 by a method; [`Method::NearestPoint`] has its diffuse part from
-/// [`Method::Exact`].
+/// Response to a polygon of luminance 1 by a method; [`Method::NearestPoint`] and [`Method::NearestPointPicott`] have
+/// their diffuse part from [`Method::Exact`].
 pub fn respond(light: &PolygonEmitter, method: Method, at: &ShadingPoint, lobe: &PhongLobe) -> Response {
     if !shines_on(light, at.p) {
         return Response::default();
@@ -24,8 +24,10 @@ pub fn respond(light: &PolygonEmitter, method: Method, at: &ShadingPoint, lobe: 
     match method {
         Method::PointCluster(points) => cluster::polygon_cluster(light, points, at, lobe),
         Method::Point => polygon_point(light, at, lobe),
-        Method::NearestPoint => {
-            let cosine = polygon_least_angle_cosine(light, at.p, at.n, at.mirror());
+        Method::NearestPoint | Method::NearestPointPicott => {
+            let rule =
+                if method == Method::NearestPoint { polygon_least_angle_cosine } else { polygon_projected_edge_cosine };
+            let cosine = rule(light, at.p, at.n, at.mirror());
             Response {
                 irradiance: polygon_irradiance(&light.vertices, at.p, at.n),
                 specular: cosine.map_or(0.0, |cosine| cosine.powf(lobe.exponent())),

@@ -42,14 +42,19 @@ pub fn polygon_phong_lobe_only(vertices: &[DVec3], p: DVec3, r: DVec3, m: f64) -
 type KnownEdge = (Edge, Option<DVec3>);
 
 /// The greatest exponent for which the series, whose cost grows with it, is cheaper than quadrature.
-const SERIES_LIMIT: f64 = 200.0;
+///
+/// Beside 48 nodes a square's series costs 0.14 of the time at m = 16, 0.3 at 200 and as much at 500; both are within
+/// 3e-14.
+const SERIES_LIMIT: f64 = 500.0;
 
 /// The contour integral over closed loops of edges, which are clipped to the horizon of r here.
 fn contour(vertices: &[DVec3], p: DVec3, r: DVec3, m: f64, loops: impl Iterator<Item = KnownEdge> + Clone) -> f64 {
     let mut above_lobe = HorizonClip::new(r);
     let clipped = loops.map(move |(edge, normal)| (above_lobe.clip(edge), normal));
     let in_series = m <= SERIES_LIMIT && m.fract() == 0.0;
+    let cut = (-CUT / (m + 1.0)).exp();
     let along = |edge, normal| match Arc::new(edge, normal, r) {
+        Some(arc) if arc.greatest() < cut => arc.turn(),
         Some(arc) if in_series => arc.series(m),
         Some(arc) => arc.quadrature(m),
         None => 0.0,
@@ -60,101 +65,134 @@ fn contour(vertices: &[DVec3], p: DVec3, r: DVec3, m: f64, loops: impl Iterator<
     let sum: EdgeSum = terms.collect();
     // The area's rule has no nodes to spare for the branch point of a broken power.
     let accuracy = if has_branch_point(m) { 10.0 } else { 1.0 };
-    if sum.cancels(vertices, p, m + 1.0, accuracy) {
+    let share = if sum.cancels(vertices, p, m + 1.0, accuracy) {
         let resolution = m.sqrt().recip().min(0.3);
         let loops = clipped.flat_map(|(edges, _)| edges).flatten();
-        (m + 1.0) / (2.0 * PI) * area_integral(loops, resolution, &|direction| direction.dot(r).max(0.0).powf(m)).abs()
+        (m + 1.0) / (2.0 * PI) * area_integral(loops, resolution, &|direction| direction.dot(r).max(0.0).powf(m))
     } else {
-        sum.value.abs() / (2.0 * PI)
-    }
-}
-
-/// A great-circle arc, in terms of its relation to the lobe's axis r.
-///
-/// Along it z = ρ cos φ and dψ = γ dφ/(γ² + ρ² sin² φ), φ the angle from the point nearest to r.
-#[derive(Clone, Copy, Debug)]
-struct Arc {
-    /// r·Γ, Γ the unit normal of the arc's plane: the signed sine of the distance from r to the great circle.
-    gamma: f64,
-    /// √(1 − γ²): z at the great circle's nearest point to r.
-    rho: f64,
-    /// φ at the start.
-    phi: f64,
-    /// Angle subtended.
-    theta: f64,
+        sum.value / (2.0 * PI)
+    };
+    // In the light's own plane both are no more than a guess.
+    share.abs().min(1.0)
 }
 
 /// Where z^(m+1) is less than e^-CUT it is nothing beside 1.
 const CUT: f64 = 40.0;
 
+/// A great-circle arc about its middle, in terms of its relation to the lobe's axis r.
+#[derive(Clone, Copy, Debug)]
+struct Arc {
+    /// r·Γ, Γ the unit normal of the arc's plane: the signed sine of the distance from r to the great circle.
+    gamma: f64,
+    /// z = ω·r at the middle.
+    z: f64,
+    /// Its derivative along the arc there.
+    slope: f64,
+    /// Of half the angle subtended.
+    half_sine: f64,
+    half_cosine: f64,
+    /// Of the angle subtended.
+    sine: f64,
+    cosine: f64,
+}
+
 impl Arc {
     fn new((a, b): Edge, normal: Option<DVec3>, r: DVec3) -> Option<Self> {
         let cross = a.cross(b - a);
-        let sine = cross.length();
-        (sine > 0.0).then(|| {
-            // The cross product loses its direction when the edge passes close by.
-            let normal = normal.map_or(cross / sine, |n| n * cross.dot(n).signum());
-            Self {
-                gamma: r.dot(normal),
-                rho: r.cross(normal).length(),
-                phi: r.dot(a.cross(normal)).atan2(r.dot(a)),
-                theta: sine.atan2(a.dot(b)),
-            }
-        })
+        let size = cross.length();
+        if size <= 0.0 {
+            return None;
+        }
+        // The cross product loses its direction when the edge passes close by.
+        let normal = normal.map_or(cross / size, |n| n * cross.dot(n).signum());
+        let (a_length, b_length) = (a.length(), b.length());
+        let (from, to) = (a / a_length, b / b_length);
+        let (sine, cosine) = (size / (a_length * b_length), from.dot(to));
+        let (sum, chord) = (from + to, to - from);
+        let half_cosine = 0.5 * sum.length();
+        let (middle, half_sine) = if cosine > 0.0 {
+            (0.5 * sum / half_cosine, 0.5 * sine / half_cosine)
+        } else {
+            let half_sine = 0.5 * chord.length();
+            (chord.cross(normal) * (0.5 / half_sine), half_sine)
+        };
+        let slope = r.dot(normal.cross(middle));
+        Some(Self { gamma: r.dot(normal), z: r.dot(middle), slope, half_sine, half_cosine, sine, cosine })
+    }
+
+    /// z at both ends.
+    fn ends(&self) -> (f64, f64) {
+        let (even, odd) = (self.z * self.half_cosine, self.slope * self.half_sine);
+        (even - odd, even + odd)
+    }
+
+    /// The greatest z.
+    fn greatest(&self) -> f64 {
+        let (from, to) = self.ends();
+        let peak_inside = self.z > 0.0 && self.slope.abs() * self.half_cosine < self.z * self.half_sine;
+        if peak_inside { self.z.hypot(self.slope) } else { from.max(to) }
+    }
+
+    /// ∫ dψ: where z^(m+1) is nothing.
+    fn turn(&self) -> f64 {
+        let (from, to) = self.ends();
+        (self.gamma * self.sine).atan2(self.cosine - from * to)
     }
 
     /// ∫ (1 − z^(m+1)) dψ for integer m.
     ///
     /// With sₖ = ∫ zᵏ dφ it is γ(s₀ + s₂ + … + s₍ₘ₋₁₎) for odd m, and σ + γ(s₁ + s₃ + … + s₍ₘ₋₁₎) for even m, σ the solid
-    /// angle of the arc and r. k sₖ = [ρ sin φ zᵏ⁻¹] + (k − 1) ρ² sₖ₋₂.
+    /// angle of the arc and r. As k sₖ = [−z′ zᵏ⁻¹] + (k − 1)ρ² sₖ₋₂, ρ² = 1 − γ², the sum is α₀ s₀ + Σ αₖ [−z′ zᵏ⁻¹]/k with
+    /// αₖ₋₂ = 1 + ρ² αₖ (k − 1)/k from the last term down: polynomials in z² at the ends, by Horner's rule, and their
+    /// difference by the same rule so that short arcs lose no digits.
     fn series(&self, m: f64) -> f64 {
-        let (sin_from, cos_from) = self.phi.sin_cos();
-        let (sin_to, cos_to) = (self.phi + self.theta).sin_cos();
-        let (z_from, z_to, rho_squared) = (self.rho * cos_from, self.rho * cos_to, self.rho * self.rho);
-        let even = m % 2.0 == 0.0;
-        let mut k = if even { 1.0 } else { 0.0 };
-        let mut moment = if even {
-            2.0 * self.rho * (self.phi + 0.5 * self.theta).cos() * (0.5 * self.theta).sin()
-        } else {
-            self.theta
-        };
-        let mut edge_from = self.rho * sin_from * if even { z_from * z_from } else { z_from };
-        let mut edge_to = self.rho * sin_to * if even { z_to * z_to } else { z_to };
-        let mut sum = moment;
-        while k + 2.0 < m {
-            k += 2.0;
-            moment = (edge_to - edge_from + (k - 1.0) * rho_squared * moment) / k;
-            edge_from *= z_from * z_from;
-            edge_to *= z_to * z_to;
-            sum += moment;
+        let (from, to) = self.ends();
+        let (from_squared, to_squared) = (from * from, to * to);
+        let rho_squared = self.z * self.z + self.slope * self.slope;
+        let (mut weight, mut value, mut difference) = (1.0, 0.0, 0.0);
+        let mut k = m - 1.0;
+        while k >= 2.0 {
+            let inverse = 1.0 / k;
+            difference = difference * from_squared + value;
+            value = value * to_squared + weight * inverse;
+            weight = 1.0 + (rho_squared - rho_squared * inverse) * weight;
+            k -= 2.0;
         }
-        self.gamma * sum + if even { self.solid_angle() } else { 0.0 }
+        // −z′ at the start, and the differences of −z′ z and of z.
+        let start = self.z * self.half_sine + self.slope * self.half_cosine;
+        let product = (self.z * self.z - self.slope * self.slope) * self.sine;
+        let rise = 2.0 * self.slope * self.half_sine;
+        let squares = rise * (from + to);
+        if m % 2.0 == 0.0 {
+            let ends = (product * to - start * from * rise) * value - start * from_squared * squares * difference;
+            self.gamma * (weight * 2.0 * self.z * self.half_sine + ends) + self.solid_angle()
+        } else {
+            let ends = product * value - start * from * squares * difference;
+            self.gamma * (weight * self.sine.atan2(self.cosine) + ends)
+        }
     }
 
     /// The signed solid angle of the triangle of r and the arc, ∫ (1 − z) dψ.
     fn solid_angle(&self) -> f64 {
-        let (from, to) = (self.phi, self.phi + self.theta);
-        let (s_from, s_to) = (self.rho * from.sin(), self.rho * to.sin());
-        let shaded = (self.gamma * (s_to - s_from)).atan2(self.gamma * self.gamma + s_from * s_to);
-        self.azimuth(from, to) - shaded
+        let (from, to) = self.ends();
+        2.0 * (self.gamma * self.sine).atan2(1.0 + from + to + self.cosine)
     }
 
     /// ∫ (1 − z^(m+1)) dψ for real m, by quadrature where z^(m+1) counts and in closed form elsewhere.
+    ///
+    /// With φ the angle from the point of the great circle next to r, z = ρ cos φ and dψ = γ dφ/(γ² + ρ² sin² φ).
     fn quadrature(&self, m: f64) -> f64 {
-        let (from, to) = (self.phi, self.phi + self.theta);
-        let reach = self.reach(m);
+        let rho = self.z.hypot(self.slope);
+        let theta = self.sine.atan2(self.cosine);
+        let from = -self.slope.atan2(self.z) - 0.5 * theta;
+        let to = from + theta;
+        let reach = reach(rho, m);
         let (lo, hi) = (from.max(-reach), to.min(reach));
         if lo < hi {
-            self.azimuth(from, lo) + self.core(m, lo, hi) + self.azimuth(hi, to)
+            self.azimuth(from, lo) + self.core(rho, m, lo, hi) + self.azimuth(hi, to)
         } else {
             self.azimuth(from, to)
         }
-    }
-
-    /// |φ| beyond which z^(m+1) is negligible; 0 when it is everywhere.
-    fn reach(&self, m: f64) -> f64 {
-        let cosine = (-CUT / (m + 1.0)).exp() / self.rho;
-        if cosine < 1.0 { ((1.0 - cosine) * (1.0 + cosine)).sqrt().atan2(cosine) } else { 0.0 }
     }
 
     /// The change of ψ from φ = `from` to φ = `to`, less than a half turn away.
@@ -169,21 +207,29 @@ impl Arc {
     ///
     /// Only where z nears 0 has a broken power m a branch point, which matters for low powers: φ = lo + width t²(3 − 2t)
     /// then makes both ends smooth.
-    fn core(&self, m: f64, lo: f64, hi: f64) -> f64 {
+    fn core(&self, rho: f64, m: f64, lo: f64, hi: f64) -> f64 {
         let half_power = 0.5 * (m + 1.0);
         let density = |phi: f64| {
             let sine = phi.sin();
-            let off_axis = (self.gamma * self.gamma + self.rho * self.rho * sine * sine).min(1.0);
+            let off_axis = (self.gamma * self.gamma + rho * rho * sine * sine).min(1.0);
             if off_axis > 0.0 { -(half_power * (-off_axis).ln_1p()).exp_m1() / off_axis } else { half_power }
         };
         let integral = if has_branch_point(m) {
             let width = hi - lo;
-            width * RULE.integrate(0.0, 1.0, |t| 6.0 * t * (1.0 - t) * density(lo + width * t * t * (3.0 - 2.0 * t)))
+            WIDE.integrate(0.0, 1.0, |t| 6.0 * width * t * (1.0 - t) * density(lo + width * t * t * (3.0 - 2.0 * t)))
         } else {
-            RULE.integrate(lo, hi, density)
+            let lobes = (hi - lo) * (m + 1.0).sqrt();
+            let rule = if lobes < 3.0 { &NARROW } else { &WIDE };
+            rule.integrate(lo, hi, density)
         };
         self.gamma * integral
     }
+}
+
+/// |φ| beyond which z^(m+1) is negligible; 0 when it is everywhere.
+fn reach(rho: f64, m: f64) -> f64 {
+    let cosine = (-CUT / (m + 1.0)).exp() / rho;
+    if cosine < 1.0 { ((1.0 - cosine) * (1.0 + cosine)).sqrt().atan2(cosine) } else { 0.0 }
 }
 
 /// Whether the branch point of zᵐ at 0 costs digits.
@@ -191,4 +237,8 @@ fn has_branch_point(m: f64) -> bool {
     m < 16.0 && m.fract() != 0.0
 }
 
-static RULE: LazyLock<GaussLegendre> = LazyLock::new(|| GaussLegendre::new(48));
+/// For ranges of any number of the lobe's widths 1/√(m+1).
+static WIDE: LazyLock<GaussLegendre> = LazyLock::new(|| GaussLegendre::new(48));
+
+/// For ranges of up to three.
+static NARROW: LazyLock<GaussLegendre> = LazyLock::new(|| GaussLegendre::new(20));
