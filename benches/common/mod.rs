@@ -25,7 +25,7 @@ pub(crate) fn lights() -> Vec<(&'static str, Shape)> {
         ("sky", Shape::Sky(Sky::OVERCAST)),
         ("disk", Shape::Disk(Disk { radius: 0.5, two_sided: false })),
         ("textured 16²", textured(16)),
-        ("textured 512²", textured(512)),
+        ("textured 2048²", textured(2048)),
     ]
 }
 

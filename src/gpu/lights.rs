@@ -1,7 +1,7 @@
 //! Lights as the layer shaders read them, and which shader answers for which light and method.
 
 use std::borrow::Cow;
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::sync::Arc;
 
 use glam::DVec3;
@@ -13,15 +13,17 @@ use super::types::{
     ClusterLight, DirectionalLight, LineLight, OneShotLight, PointLight, PolygonLight, SphereLight, TexturedLight,
     f32_of, u32_of, vec3_of, vec4_of,
 };
-use crate::light::{Emitter, LineEmitter, PolygonEmitter, SphereEmitter, TexturedEmitter};
+use crate::light::{Emitter, LineEmitter, PolygonEmitter, SkyEmitter, SphereEmitter, TexturedEmitter};
 use crate::shading::cluster::{self, PointOfArea};
 use crate::shading::one_shot::{KNOTS, Kernel, OneShot, Radius};
+use crate::shading::sphere::Cap;
 use crate::shading::{Method, disk, textured};
 
 // How a cluster's points emit, in `cluster.wgsl`; isotropic is 0.
 const ONE_SIDED: u32 = 1;
 const TWO_SIDED: u32 = 2;
 const TUBE: u32 = 3;
+const DIRECTIONS: u32 = 4;
 
 /// The WGSL that answers for a light: one pipeline each.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -118,7 +120,7 @@ pub(crate) struct LightData {
 }
 
 /// Points of the cluster that stands for a closed form's light where the lobe is no cosine.
-const OTHER_LOBES_CLUSTER: Method = Method::PointCluster(256);
+const OTHER_LOBES_POINTS: u32 = 256;
 
 impl LightData {
     /// How many stages its layer is made in.
@@ -160,8 +162,21 @@ impl LightData {
     /// With a cluster for lobes that are no cosine, if the method needs one for them.
     pub(crate) fn with_other_lobes(self, emitter: &Emitter, method: Method, eye: DVec3) -> Self {
         let needed = !method.takes_any_lobe() && !emitter.is_one_direction();
-        let cluster = || Box::new(Self::new(emitter, OTHER_LOBES_CLUSTER, eye));
-        Self { other_lobes: needed.then(cluster), ..self }
+        let cluster = || match emitter {
+            Emitter::Sky(light) => Self::sky_cluster(light),
+            _ => Self::new(emitter, Method::PointCluster(OTHER_LOBES_POINTS), eye),
+        };
+        Self { other_lobes: needed.then(|| Box::new(cluster())), ..self }
+    }
+
+    /// A sky as so many lights infinitely far, each of the same solid angle.
+    fn sky_cluster(light: &SkyEmitter) -> Self {
+        let part = TAU / f64::from(OTHER_LOBES_POINTS);
+        let dome = Cap::new(light.zenith, FRAC_PI_2);
+        let directions = cluster::cap_directions(&dome, OTHER_LOBES_POINTS);
+        let luminance = |w: DVec3| light.uniform + light.cosine * w.dot(light.zenith);
+        let points = directions.map(|w| vec4_of(w, part * luminance(w))).collect();
+        Self::cluster(points, ClusterLight { emission: DIRECTIONS, falloff: 2.0, ..Default::default() })
     }
 
     fn directional(to_light: DVec3) -> Self {

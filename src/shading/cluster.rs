@@ -50,7 +50,7 @@ pub fn cap_cluster(cap: &Cap, points: u32, at: &ShadingPoint, lobe: &PhongLobe) 
 }
 
 /// The directions of [`cap_cluster`].
-fn cap_directions(cap: &Cap, points: u32) -> impl Iterator<Item = DVec3> {
+pub fn cap_directions(cap: &Cap, points: u32) -> impl Iterator<Item = DVec3> {
     let (x_axis, y_axis) = cap.center().any_orthonormal_pair();
     let center = cap.center();
     let depth = cap.solid_angle() / TAU;

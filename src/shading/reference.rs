@@ -53,7 +53,14 @@ pub struct Kernel<'a> {
     lobe: Option<&'a Lobe>,
     /// The error sought in the outer and in the inner integral.
     tolerances: [Tolerance; 2],
+    /// Where to split about the peak, in widths 1/√m.
+    splits: &'static [f64],
 }
+
+/// Doubling from the lobe's width, so that each piece sees its tail.
+const SPLITS: &[f64] = &[0.0, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0];
+/// As few as a quick integral needs.
+const QUICK_SPLITS: &[f64] = &[0.0, 2.0, 6.0];
 
 impl<'a> Kernel<'a> {
     /// Lambert's cosine about the normal n.
@@ -63,7 +70,7 @@ impl<'a> Kernel<'a> {
 
     /// The cosine about an axis to the power m.
     pub fn cosine_power(axis: DVec3, m: f64) -> Self {
-        Self { axis, exponent: m, horizon: None, lobe: None, tolerances: [OUTER, INNER] }
+        Self { axis, exponent: m, horizon: None, lobe: None, tolerances: [OUTER, INNER], splits: SPLITS }
     }
 
     /// The Phong lobe about r of exponent m, above the horizon of n.
@@ -98,10 +105,10 @@ impl<'a> Kernel<'a> {
         self.horizons().all(|normal| normal.dot(direction) >= 0.0)
     }
 
-    /// Angles about the peak at which to split: doubling from the lobe's width 1/√m, so that each piece sees its tail.
+    /// Angles about the peak at which to split.
     fn peak_offsets(&self) -> impl Iterator<Item = f64> {
         let width = self.exponent.sqrt().recip();
-        [0.0, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0].into_iter().flat_map(move |offset| [-offset * width, offset * width])
+        self.splits.iter().flat_map(move |split| [-split * width, split * width])
     }
 
     /// The error sought in an outer integral.
@@ -146,7 +153,7 @@ pub fn reference(emitter: &Emitter, at: &ShadingPoint, lobe: &Lobe) -> BoundedRe
 /// The specular response for a lobe that is no cosine, with a relative error of some 1e-5 in ordinary cases.
 pub fn quick_specular(emitter: &Emitter, at: &ShadingPoint, lobe: &Lobe) -> Estimate {
     let kernel = Kernel::density(at.mirror(), lobe, at.n);
-    integral(emitter, at.p, &Kernel { tolerances: QUICK, ..kernel })
+    integral(emitter, at.p, &Kernel { tolerances: QUICK, splits: QUICK_SPLITS, ..kernel })
 }
 
 /// ∫ L(ω) weight(ω) dω over an emitter of unit strength.
