@@ -17,7 +17,7 @@ use crate::math::spherical::{Edge, HorizonClip, azimuth_between};
 ///
 /// **Source:** Stokes' theorem applied to [`SNYDER_1996`](crate::refs::SNYDER_1996), eq. 9, for real m, derived here: the
 /// one-form (1 − z^(m+1)) dψ has no singularity at r, and its derivative is (m+1) zᵐ dω.
-/// **Method:** integer exponents to 200 by the boundary series of his eq. 25; others by quadrature along each arc; where
+/// **Method:** integer exponents to 500 by the boundary series of his eq. 25; others by quadrature along each arc; where
 /// the sum cancels, because the light is tiny or a sliver as seen from p, by quadrature over its area.
 /// **Domain:** unit r and n, real m ≥ 1, any planar simple polygon, either way round; two-sided.
 /// **Units:** 1 per cd·m⁻².
