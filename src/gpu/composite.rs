@@ -9,7 +9,7 @@ use super::types::{Composite, Reflectance, Tone, VisibleEmitter, f32_of, u32_of,
 use super::view::View;
 use crate::light::{Emitter, Light, PolygonEmitter, Shape, Textured};
 use crate::scene::Scene;
-use crate::shading::{disk, textured};
+use crate::shading::textured;
 use glam::DVec3;
 use std::f64::consts::PI;
 
@@ -19,6 +19,11 @@ const RADIANCE: wgpu::TextureFormat = wgpu::TextureFormat::Rgba32Float;
 const DISPLAY: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
 /// sRGB-encoded already, which is what egui shows.
 const PICTURE: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
+// Kinds of visible emitters, in `composite.wgsl`; a polygon is 0.
+const SPHERE: u32 = 1;
+const DISK: u32 = 2;
+const CAP: u32 = 3;
+const SKY: u32 = 4;
 /// Layers that one pass sums.
 const BATCH: usize = 8;
 
@@ -72,19 +77,35 @@ impl Mix {
     fn add_emitter(&mut self, emitter: &Emitter, radiance: DVec3, eye: DVec3) {
         let common = VisibleEmitter { radiance: vec3_of(radiance), ..Default::default() };
         match emitter {
-            Emitter::Disk(disk) => self.add_polygon(&disk::as_polygon(disk), common, eye),
+            Emitter::Disk(disk) => {
+                let first = self.add_vertex(disk.center - eye, 0.0);
+                self.emitters.push(VisibleEmitter {
+                    kind: DISK,
+                    vector: vec3_of(disk.normal),
+                    radius: f32_of(disk.radius),
+                    two_sided: u32::from(disk.two_sided),
+                    first,
+                    ..common
+                });
+            }
+            Emitter::Cap(cap) => self.emitters.push(VisibleEmitter {
+                kind: CAP,
+                vector: vec3_of(cap.to_center),
+                radius: f32_of(cap.half_angle.sin()),
+                ..common
+            }),
+            Emitter::Sky(sky) => {
+                let first = self.add_vertex(DVec3::new(sky.uniform, sky.cosine, 0.0), 0.0);
+                self.emitters.push(VisibleEmitter { kind: SKY, vector: vec3_of(sky.zenith), first, ..common });
+            }
             Emitter::Polygon(polygon) => self.add_polygon(polygon, common, eye),
             Emitter::Sphere(sphere) => self.emitters.push(VisibleEmitter {
+                kind: SPHERE,
                 vector: vec3_of(sphere.center - eye),
                 radius: f32_of(sphere.radius),
                 ..common
             }),
-            Emitter::Textured(_)
-            | Emitter::Line(_)
-            | Emitter::Cap(_)
-            | Emitter::Sky(_)
-            | Emitter::Point(_)
-            | Emitter::Directional(_) => {}
+            Emitter::Textured(_) | Emitter::Line(_) | Emitter::Point(_) | Emitter::Directional(_) => {}
         }
     }
 
@@ -103,6 +124,12 @@ impl Mix {
                 self.emitter_vertices.push(vec4_of(value, 0.0));
             }
         }
+    }
+
+    /// Its place among the emitters' vertices.
+    fn add_vertex(&mut self, vertex: DVec3, w: f64) -> u32 {
+        self.emitter_vertices.push(vec4_of(vertex, w));
+        u32_of(self.emitter_vertices.len() - 1)
     }
 
     fn add_polygon(&mut self, polygon: &PolygonEmitter, common: VisibleEmitter, eye: DVec3) {

@@ -10,14 +10,16 @@ use super::shader::{Module, Source};
 use super::table::Table;
 use super::textured::{STAGES, Stage};
 use super::types::{
-    ClusterLight, DirectionalLight, LineLight, OneShotLight, PointLight, PolygonLight, SphereLight, TexturedLight,
-    f32_of, u32_of, vec3_of, vec4_of,
+    CapLight, ClusterLight, DirectionalLight, DiskLight, LineLight, OneShotLight, PointLight, PolygonLight, SkyLight,
+    SphereLight, TexturedLight, f32_of, u32_of, vec3_of, vec4_of,
 };
-use crate::light::{Emitter, LineEmitter, PolygonEmitter, SkyEmitter, SphereEmitter, TexturedEmitter};
+use crate::light::{
+    CapEmitter, DiskEmitter, Emitter, LineEmitter, PolygonEmitter, SkyEmitter, SphereEmitter, TexturedEmitter,
+};
 use crate::shading::cluster::{self, PointOfArea};
 use crate::shading::one_shot::{KNOTS, Kernel, OneShot, Radius};
 use crate::shading::sphere::Cap;
-use crate::shading::{Method, disk, textured};
+use crate::shading::{Method, textured};
 
 // How a cluster's points emit, in `cluster.wgsl`; isotropic is 0.
 const ONE_SIDED: u32 = 1;
@@ -62,6 +64,16 @@ impl Responder {
     const ONE_SHOT_SQUARE: Self = Self { modules: &[Module::ONE_SHOT], function: "one_shot_respond_square" };
     const ONE_SHOT_SIZED: Self = Self { modules: &[Module::ONE_SHOT], function: "one_shot_respond_sized" };
     const TEXTURED_EXACT: Self = Self { modules: &[Module::TEXTURED], function: "textured_respond" };
+    const DISK_EXACT: Self = Self {
+        modules: &[Module::POINT, Module::SPHERE, Module::DISK, Module::DISK_PHONG],
+        function: "disk_respond_exact",
+    };
+    const CAP_EXACT: Self = Self::cap("cap_respond_exact");
+    const CAP_HERMITE_1: Self = Self::cap("cap_respond_hermite_1");
+    const CAP_HERMITE_2: Self = Self::cap("cap_respond_hermite_2");
+    const CAP_CLUSTER: Self = Self::cap("cap_respond_cluster");
+    const SKY_EXACT: Self =
+        Self { modules: &[Module::POINT, Module::SPHERE, Module::SKY], function: "sky_respond_exact" };
     const CLUSTER: Self = Self { modules: &[Module::POINT, Module::CLUSTER], function: "cluster_respond" };
 
     /// Every one.
@@ -84,6 +96,12 @@ impl Responder {
         Self::POLYGON_EXACT,
         Self::POLYGON_NEAREST_POINT,
         Self::POLYGON_NEAREST_POINT_PICOTT,
+        Self::DISK_EXACT,
+        Self::CAP_EXACT,
+        Self::CAP_HERMITE_1,
+        Self::CAP_HERMITE_2,
+        Self::CAP_CLUSTER,
+        Self::SKY_EXACT,
         Self::ONE_SHOT,
         Self::ONE_SHOT_SQUARE,
         Self::ONE_SHOT_SIZED,
@@ -92,6 +110,10 @@ impl Responder {
 
     const fn line(function: &'static str) -> Self {
         Self { modules: &[Module::POINT, Module::LINE], function }
+    }
+
+    const fn cap(function: &'static str) -> Self {
+        Self { modules: &[Module::POINT, Module::SPHERE, Module::CAP], function }
     }
 
     /// The whole shader of a layer; of a matte scene, its specular part is 0, and what it would take is not computed.
@@ -148,11 +170,11 @@ impl LightData {
                 let position = vec3_of(light.position - eye);
                 Self::without_vertices(Responder::POINT, &PointLight { position, unused: 0 })
             }
-            Emitter::Directional(light) => Self::directional(light.to_light),
-            Emitter::Disk(light) => Self::polygon(&disk::as_polygon(light), method, eye),
+            Emitter::Directional(light) => Self::directional(light.to_light, 1.0),
+            Emitter::Disk(light) => Self::disk(light, method, eye),
             Emitter::Textured(light) => Self::textured(light, method, eye),
-            Emitter::Cap(light) => Self::directional(light.to_center),
-            Emitter::Sky(light) => Self::directional(light.zenith),
+            Emitter::Cap(light) => Self::cap(light, method),
+            Emitter::Sky(light) => Self::sky(light, method),
             Emitter::Polygon(light) => Self::polygon(light, method, eye),
             Emitter::Line(light) => Self::line(light, method, eye),
             Emitter::Sphere(light) => Self::sphere(light, method, eye),
@@ -179,19 +201,72 @@ impl LightData {
         Self::cluster(points, ClusterLight { emission: DIRECTIONS, falloff: 2.0, ..Default::default() })
     }
 
-    fn directional(to_light: DVec3) -> Self {
-        let to_light = vec3_of(to_light);
-        Self::without_vertices(Responder::DIRECTIONAL, &DirectionalLight { to_light, unused: 0 })
+    fn directional(to_light: DVec3, illuminance: f64) -> Self {
+        let (to_light, illuminance) = (vec3_of(to_light), f32_of(illuminance));
+        Self::without_vertices(Responder::DIRECTIONAL, &DirectionalLight { to_light, illuminance })
+    }
+
+    fn disk(light: &DiskEmitter, method: Method, eye: DVec3) -> Self {
+        let count = match method {
+            Method::PointCluster(points) => points,
+            Method::Point => 1,
+            _ => {
+                let uniform = DiskLight {
+                    center: vec3_of(light.center - eye),
+                    radius: f32_of(light.radius),
+                    normal: vec3_of(light.normal),
+                    two_sided: u32::from(light.two_sided),
+                };
+                return Self::without_vertices(Responder::DISK_EXACT, &uniform);
+            }
+        };
+        let points: Vec<_> = cluster::disk_points(light, count).collect();
+        Self::area_cluster(light.normal, light.two_sided, &points, eye)
+    }
+
+    fn cap(light: &CapEmitter, method: Method) -> Self {
+        let (responder, count) = match method {
+            Method::Point | Method::PointCluster(0 | 1) => {
+                return Self::directional(light.to_center, light.illuminance());
+            }
+            Method::PointCluster(count) => (Responder::CAP_CLUSTER, count),
+            Method::Hermite1 => (Responder::CAP_HERMITE_1, 0),
+            Method::Hermite2 => (Responder::CAP_HERMITE_2, 0),
+            _ => (Responder::CAP_EXACT, 0),
+        };
+        let (sin, cos) = light.half_angle.sin_cos();
+        let uniform = CapLight {
+            to_center: vec3_of(light.to_center),
+            sin_sigma: f32_of(sin),
+            cos_sigma: f32_of(cos),
+            count,
+            ..Default::default()
+        };
+        Self::without_vertices(responder, &uniform)
+    }
+
+    fn sky(light: &SkyEmitter, method: Method) -> Self {
+        if method == Method::Point {
+            return Self::directional(light.zenith, light.illuminance());
+        }
+        let uniform = SkyLight {
+            zenith: vec3_of(light.zenith),
+            even: f32_of(light.uniform),
+            cosine: f32_of(light.cosine),
+            ..Default::default()
+        };
+        Self::without_vertices(Responder::SKY_EXACT, &uniform)
     }
 
     fn polygon(light: &PolygonEmitter, method: Method, eye: DVec3) -> Self {
         let responder = match method {
             Method::PointCluster(points) => {
-                return Self::polygon_cluster(light, &cluster::polygon_points(light, points), eye);
+                let points = cluster::polygon_points(light, points);
+                return Self::area_cluster(light.normal, light.two_sided, &points, eye);
             }
             Method::Point => {
                 let whole = PointOfArea { position: light.centroid(), area: light.vector_area().length() };
-                return Self::polygon_cluster(light, &[whole], eye);
+                return Self::area_cluster(light.normal, light.two_sided, &[whole], eye);
             }
             Method::NearestPoint => Responder::POLYGON_NEAREST_POINT,
             Method::NearestPointPicott => Responder::POLYGON_NEAREST_POINT_PICOTT,
@@ -229,14 +304,10 @@ impl LightData {
                 return Self { table, ..Self::without_vertices(Responder::TEXTURED_EXACT, &uniform) };
             }
         };
-        Self::flat_cluster(&textured::textured_points(light, points), light.normal, light.two_sided, eye)
+        Self::area_cluster(light.normal, light.two_sided, &textured::textured_points(light, points), eye)
     }
 
-    fn polygon_cluster(light: &PolygonEmitter, points: &[PointOfArea], eye: DVec3) -> Self {
-        Self::flat_cluster(points, light.normal, light.two_sided, eye)
-    }
-
-    fn flat_cluster(points: &[PointOfArea], normal: DVec3, two_sided: bool, eye: DVec3) -> Self {
+    fn area_cluster(normal: DVec3, two_sided: bool, points: &[PointOfArea], eye: DVec3) -> Self {
         let points = points.iter().map(|point| vec4_of(point.position - eye, point.area)).collect();
         let emission = if two_sided { TWO_SIDED } else { ONE_SIDED };
         Self::cluster(points, ClusterLight { normal: vec3_of(normal), emission, falloff: 2.0, ..Default::default() })

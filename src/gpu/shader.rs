@@ -41,6 +41,14 @@ modules! {
     SPHERE = "sphere.wgsl";
     /// Textured lights.
     TEXTURED = "textured.wgsl";
+    /// Caps infinitely far away.
+    CAP = "cap.wgsl";
+    /// Skies.
+    SKY = "sky.wgsl";
+    /// Disks, diffuse.
+    DISK = "disk.wgsl";
+    /// Disks, specular.
+    DISK_PHONG = "disk_phong.wgsl";
     /// The pass's triangle.
     FULLSCREEN = "fullscreen.wgsl";
     /// The first layer.

@@ -39,6 +39,9 @@ macro_rules! functions {
     };
 }
 
+const DISK: &[Module] = &[Module::POINT, Module::SPHERE, Module::DISK, Module::DISK_PHONG];
+const SKY: &[Module] = &[Module::POINT, Module::SPHERE, Module::SKY];
+
 functions! {
     /// Row: normal, mirror direction, direction; and the lobe. Its twin is [`crate::shading::Lobe::density`].
     LOBE_DENSITY = "lobe_density" in &[], "(lobe, v(0), v(3), v(6))";
@@ -87,6 +90,18 @@ functions! {
     DISK_SUM = "disk_sum" in &[Module::ONE_SHOT], "(vec2f(f(0), f(1)), f(2))";
     /// Row: place, radius; and a mipmap. Its twin is [`crate::shading::one_shot::Mipmap::sum`].
     SQUARE_SUM = "square_sum" in &[Module::ONE_SHOT], "(vec2f(f(0), f(1)), f(2))";
+    /// Row: vector to the centre, the disk's normal, radius, normal.
+    DISK_IRRADIANCE = "disk_irradiance" in DISK, "(v(0), v(3), f(6), v(7))";
+    /// Row: vector to the centre, the disk's normal, radius, normal, mirror direction, exponent.
+    DISK_PHONG = "disk_phong" in DISK, "(v(0), v(3), f(6), v(7), v(10), f(13))";
+    /// Row: centre, sine and cosine of the half-angle, normal.
+    CAP_IRRADIANCE = "cap_irradiance" in &[Module::POINT, Module::SPHERE], "(Cap(v(0), f(3), f(4)), v(5))";
+    /// Row: centre, sine and cosine of the half-angle, normal, mirror direction, exponent.
+    CAP_PHONG = "cap_phong" in &[Module::POINT, Module::SPHERE], "(Cap(v(0), f(3), f(4)), v(5), v(8), f(11))";
+    /// Row: zenith, uniform and cosine part, normal.
+    SKY_IRRADIANCE = "sky_irradiance" in SKY, "(v(0), vec2f(f(3), f(4)), v(5))";
+    /// Row: zenith, uniform and cosine part, normal, mirror direction, exponent.
+    SKY_PHONG = "sky_phong" in SKY, "(v(0), vec2f(f(3), f(4)), v(5), v(8), f(11))";
     /// Row: y, x. Its twin is `f64::atan2`.
     ARCTANGENT = "arctangent" in &[], "(f(0), f(1))";
 }

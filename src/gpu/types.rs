@@ -74,7 +74,7 @@ gpu_structs! {
     /// A directional light.
     DirectionalLight {
         to_light: Vec3,
-        unused: u32,
+        illuminance: f32,
     }
 
     /// A linear light.
@@ -111,6 +111,31 @@ gpu_structs! {
         opening: f32,
         normal: Vec3,
         negligible: f32,
+    }
+
+    /// A disk.
+    DiskLight {
+        center: Vec3,
+        radius: f32,
+        normal: Vec3,
+        two_sided: u32,
+    }
+
+    /// A cap infinitely far away.
+    CapLight {
+        to_center: Vec3,
+        sin_sigma: f32,
+        cos_sigma: f32,
+        count: u32,
+        pad: [u32; 2],
+    }
+
+    /// A sky.
+    SkyLight {
+        zenith: Vec3,
+        even: f32,
+        cosine: f32,
+        pad: [u32; 3],
     }
 
     /// Point lights that stand for a light.
@@ -163,6 +188,8 @@ gpu_structs! {
         count: u32,
         columns: u32,
         rows: u32,
+        kind: u32,
+        pad: [u32; 3],
     }
 
     /// Where a twin's row is.

@@ -35,3 +35,10 @@ impl Cap {
         CapEmitter { to_center: world_from_light.matrix3.z_axis, half_angle: self.half_angle_deg.to_radians() }
     }
 }
+
+impl CapEmitter {
+    /// E = π sin²σ on a surface that faces the cap, for luminance 1.
+    pub fn illuminance(&self) -> f64 {
+        PI * self.half_angle.sin().powi(2)
+    }
+}

@@ -1,5 +1,7 @@
 //! A sky: a hemisphere of light infinitely far away.
 
+use std::f64::consts::PI;
+
 use glam::{DAffine3, DVec3};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -37,6 +39,11 @@ impl Sky {
 }
 
 impl SkyEmitter {
+    /// E = π(u + 2c/3) on a surface that faces the zenith, for L = 1.
+    pub fn illuminance(&self) -> f64 {
+        PI * (self.uniform + 2.0 / 3.0 * self.cosine)
+    }
+
     /// Luminance in a unit direction; none comes from below the sky's own horizon.
     pub fn radiance(&self, direction: DVec3) -> f64 {
         let cosine = self.zenith.dot(direction);

@@ -1,16 +1,16 @@
 //! Lights as things that are seen.
 //!
-//! Polygons and spheres are surfaces of their own luminance. A one-sided polygon is seen from its lit side only, and
-//! a sphere from outside: from behind and within, where they do not emit, they hide nothing; nor do black texels. Lines, points and
-//! directional lights have no area, so that pictures of radiance do not show them.
+//! Polygons, disks and spheres are surfaces of their own luminance. A one-sided polygon or disk is seen from its lit
+//! side only, and a sphere from outside: from behind and within, where they do not emit, they hide nothing; nor do
+//! black texels. Caps and skies are seen behind everything else, and add up. Lines, points and directional lights have
+//! no area, so that pictures of radiance do not show them.
 
 use glam::{DVec2, DVec3};
 
 use std::sync::Arc;
 
 use crate::light::pattern::Image;
-use crate::light::{Emitter, Light, PolygonEmitter, Shape, SphereEmitter, TexturedEmitter};
-use crate::shading::disk;
+use crate::light::{DiskEmitter, Emitter, Light, PolygonEmitter, Shape, SphereEmitter, TexturedEmitter};
 
 /// An emitter with an area, prepared for rays.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,6 +30,8 @@ pub enum PlacedEmitter {
     Sphere(SphereEmitter),
     /// A rectangle with a pattern; a black texel hides nothing.
     Textured(TexturedEmitter, Image),
+    /// A disk.
+    Disk(DiskEmitter),
 }
 
 impl PlacedEmitter {
@@ -46,7 +48,7 @@ impl PlacedEmitter {
     /// The luminance of a point of it, as a share of the light's.
     pub fn luminance(&self, p: DVec3) -> DVec3 {
         match self {
-            Self::Polygon { .. } | Self::Sphere(_) => DVec3::ONE,
+            Self::Polygon { .. } | Self::Sphere(_) | Self::Disk(_) => DVec3::ONE,
             Self::Textured(light, image) => luminance(light, image, p),
         }
     }
@@ -56,7 +58,7 @@ impl PlacedEmitter {
         match emitter {
             Emitter::Polygon(polygon) => Self::polygon(polygon),
             Emitter::Sphere(sphere) => Some(Self::Sphere(*sphere)),
-            Emitter::Disk(disk) => Self::polygon(&disk::as_polygon(disk)),
+            Emitter::Disk(disk) => Some(Self::Disk(*disk)),
             Emitter::Textured(light) => Some(Self::Textured(light.clone(), Image::Grey(Arc::clone(&light.pattern)))),
             Emitter::Line(_) | Emitter::Cap(_) | Emitter::Sky(_) | Emitter::Point(_) | Emitter::Directional(_) => None,
         }
@@ -93,6 +95,31 @@ pub fn intersect_emitter(emitter: &PlacedEmitter, origin: DVec3, direction: DVec
             let p = origin + t * direction;
             (t > 0.0 && t.is_finite() && luminance(light, image, p) != DVec3::ZERO).then_some(t)
         }
+        PlacedEmitter::Disk(disk) => intersect_disk(disk, origin, direction),
+    }
+}
+
+/// Distance to a disk's lit side.
+fn intersect_disk(disk: &DiskEmitter, origin: DVec3, direction: DVec3) -> Option<f64> {
+    let towards = direction.dot(disk.normal);
+    if towards >= 0.0 && !disk.two_sided {
+        return None;
+    }
+    let from_center = origin - disk.center;
+    let t = -from_center.dot(disk.normal) / towards;
+    (t > 0.0 && t.is_finite() && (from_center + t * direction).length() < disk.radius).then_some(t)
+}
+
+/// Luminance of an emitter infinitely far away in a direction of any length, at unit strength; 0 of all others.
+pub(super) fn distant_luminance(emitter: &Emitter, direction: DVec3) -> f64 {
+    let direction = direction.normalize_or_zero();
+    match emitter {
+        Emitter::Cap(cap) => {
+            let within = cap.to_center.cross(direction).length() <= cap.half_angle.sin();
+            if within && cap.to_center.dot(direction) > 0.0 { 1.0 } else { 0.0 }
+        }
+        Emitter::Sky(sky) => sky.radiance(direction),
+        _ => 0.0,
     }
 }
 

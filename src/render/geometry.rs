@@ -2,7 +2,8 @@
 
 use glam::DVec3;
 
-use super::emitters::{PlacedEmitter, intersect_emitter};
+use super::emitters::{PlacedEmitter, distant_luminance, intersect_emitter};
+use crate::light::Emitter;
 use crate::scene::Scene;
 use crate::shading::ShadingPoint;
 use crate::surface::Placed;
@@ -12,6 +13,8 @@ use crate::surface::Placed;
 pub struct Geometry {
     surfaces: Vec<(Placed, Option<usize>)>,
     emitters: Vec<(usize, PlacedEmitter, DVec3)>,
+    /// Caps and skies, with their weights.
+    distant: Vec<(Emitter, DVec3)>,
 }
 
 /// The nearest thing along a ray.
@@ -52,11 +55,13 @@ impl Geometry {
             (Placed::new(surface), material)
         });
         let emitters = scene.lights.iter().enumerate().filter(|(_, light)| !light.muted);
+        let distant = emitters.clone().map(|(_, light)| (light.emitter(), light.weight()));
         Self {
             surfaces: surfaces.collect(),
             emitters: emitters
                 .filter_map(|(i, light)| Some((i, PlacedEmitter::of_light(light)?, light.weight())))
                 .collect(),
+            distant: distant.filter(|(emitter, _)| matches!(emitter, Emitter::Cap(_) | Emitter::Sky(_))).collect(),
         }
     }
 
@@ -69,6 +74,11 @@ impl Geometry {
     pub fn emitted(&self, light: usize, p: DVec3) -> DVec3 {
         let placed = self.emitters.iter().find(|(i, _, _)| *i == light);
         placed.map_or(DVec3::ZERO, |(_, emitter, weight)| emitter.luminance(p) * *weight)
+    }
+
+    /// Radiance of caps and skies in a direction, cd/m².
+    pub fn background(&self, direction: DVec3) -> DVec3 {
+        self.distant.iter().map(|(emitter, weight)| distant_luminance(emitter, direction) * weight).sum()
     }
 
     /// The nearest thing in front of `origin`; of things equally near, a surface, then the first.

@@ -188,7 +188,7 @@ impl View {
     fn ray(&self, at: DVec2) -> (Pixel, Option<Thing>) {
         let direction = self.camera.ray_direction(at.x, at.y, self.size.x, self.size.y);
         let seen = self.geometry.nearest(self.camera.eye, direction);
-        let radiance = seen.map_or(DVec3::ZERO, |seen| self.radiance(&seen, direction));
+        let radiance = seen.map_or_else(|| self.geometry.background(direction), |seen| self.radiance(&seen, direction));
         (Pixel { radiance, display: pbr_neutral(expose(radiance, self.exposure_ev)) }, seen.map(|seen| seen.thing))
     }
 

@@ -1,7 +1,5 @@
 //! Caps infinitely far away; the integrals are those of what a point sees of a sphere.
 
-use std::f64::consts::PI;
-
 use super::point::direction_response;
 use super::sphere::{Cap, cap_irradiance, cap_irradiance_hermite_1, cap_irradiance_hermite_2, cap_phong};
 use super::{Method, PhongLobe, Response, ShadingPoint, cluster};
@@ -11,8 +9,8 @@ use crate::light::CapEmitter;
 pub fn respond(light: &CapEmitter, method: Method, at: &ShadingPoint, lobe: &PhongLobe) -> Response {
     let cap = Cap::new(light.to_center, light.half_angle);
     let irradiance = match method {
+        Method::Point | Method::PointCluster(0 | 1) => return cap_point(light, at, lobe),
         Method::PointCluster(points) => return cluster::cap_cluster(&cap, points, at, lobe),
-        Method::Point => return cap_point(light, at, lobe),
         Method::Hermite1 => cap_irradiance_hermite_1(&cap, at.n),
         Method::Hermite2 => cap_irradiance_hermite_2(&cap, at.n),
         _ => cap_irradiance(&cap, at.n),
@@ -22,6 +20,5 @@ pub fn respond(light: &CapEmitter, method: Method, at: &ShadingPoint, lobe: &Pho
 
 /// The cap as a directional light from its middle, of the cap's illuminance π sin²σ on a surface that faces it.
 pub fn cap_point(light: &CapEmitter, at: &ShadingPoint, lobe: &PhongLobe) -> Response {
-    let illuminance = PI * light.half_angle.sin().powi(2);
-    direction_response(light.to_center, illuminance, at.n, at.mirror(), lobe)
+    direction_response(light.to_center, light.illuminance(), at.n, at.mirror(), lobe)
 }

@@ -12,7 +12,7 @@ mod textured;
 pub use disk::disk_reference;
 pub use line::line_reference;
 pub use polygon::polygon_reference;
-pub use sphere::{cap_reference, sphere_reference};
+pub use sphere::{cap_reference, sky_reference, sphere_reference};
 pub use textured::{Luminance, rectangle_reference, textured_reference};
 
 use std::f64::consts::PI;
@@ -165,10 +165,7 @@ fn integral(emitter: &Emitter, p: DVec3, kernel: &Kernel) -> Estimate {
         Emitter::Disk(light) => disk_reference(light, p, kernel),
         Emitter::Textured(light) => textured_reference(light, p, kernel),
         Emitter::Cap(light) => cap_reference(light.to_center, light.half_angle, kernel),
-        Emitter::Sky(light) => {
-            cap_reference(light.zenith, std::f64::consts::FRAC_PI_2, kernel)
-                * (light.uniform + light.cosine * 2.0 / 3.0)
-        }
+        Emitter::Sky(light) => sky_reference(light, kernel),
         Emitter::Point(light) => {
             let to_light = light.position - p;
             parallel(to_light.normalize_or_zero(), kernel) * to_light.length_squared().max(f64::MIN_POSITIVE).recip()

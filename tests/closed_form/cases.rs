@@ -43,6 +43,11 @@ impl Case {
         self.0["inputs"][name].as_f64().expect("a number")
     }
 
+    /// A word among the inputs.
+    pub(crate) fn text(&self, name: &str) -> &str {
+        self.0["inputs"][name].as_str().expect("a word")
+    }
+
     /// A value that stands beside the inputs, such as `expected`.
     pub(crate) fn value(&self, name: &str) -> f64 {
         self.0[name].as_f64().expect("a number")

@@ -2,6 +2,7 @@
 
 mod cases;
 mod disk;
+mod disks_caps_and_skies;
 mod line;
 mod lobes;
 mod one_shot;
@@ -10,6 +11,7 @@ mod polygon_properties;
 mod properties;
 mod random;
 mod reference;
+mod sky;
 mod sphere;
 mod textured;
 mod verify;

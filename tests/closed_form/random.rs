@@ -42,3 +42,8 @@ impl Random {
         }
     }
 }
+
+/// How many random cases a property is held to: `SOFTBOX_PROPERTY_CASES`, else 100,000.
+pub(crate) fn property_cases() -> u32 {
+    std::env::var("SOFTBOX_PROPERTY_CASES").map_or(100_000, |count| count.parse().expect("a number of cases"))
+}

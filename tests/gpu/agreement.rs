@@ -168,6 +168,15 @@ fn every_model_of_reflection_looks_the_same() {
 }
 
 #[test]
+fn disks_caps_and_skies_look_the_same() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/terrace.toml");
+    let scene = scene::load(&path).expect("the scene loads");
+    for method in ["exact", "hermite-1", "hermite-2", "point-cluster", "point"] {
+        check("terrace", &scene, method.parse().expect("a method"));
+    }
+}
+
+#[test]
 fn every_preset_scene_looks_the_same() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("presets/scenes");
     let mut paths: Vec<_> =

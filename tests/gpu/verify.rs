@@ -20,6 +20,10 @@ fn text(output: &Output) -> (String, String) {
 #[test]
 fn every_light_of_the_preview_has_a_row_that_is_right() {
     let models = [
+        "disk_diffuse",
+        "disk_phong",
+        "hemi_lambert",
+        "hemi_phong",
         "linear_diffuse",
         "linear_phong",
         "polygon_lambert",
@@ -27,6 +31,8 @@ fn every_light_of_the_preview_has_a_row_that_is_right() {
         "polygon_phong_nclip",
         "sphere_lambert",
         "sphere_phong",
+        "subhemi_lambert",
+        "subhemi_phong",
     ];
     let output = verify().arg("--gpu").args(models.map(reference)).output().expect("softbox runs");
     let (table, error) = text(&output);

@@ -7,13 +7,12 @@ use anyhow::{Context as _, bail, ensure};
 use glam::DVec3;
 use serde::Deserialize;
 
-use crate::light::{Emitter, LineEmitter, PolygonEmitter, SphereEmitter};
+use crate::light::{CapEmitter, DiskEmitter, Emitter, LineEmitter, PolygonEmitter, SkyEmitter, SphereEmitter};
 use crate::math::quadrature::Estimate;
 use crate::math::spherical::triangle_solid_angle;
-use crate::shading::reference::{BoundedResponse, Kernel, cap_reference, reference};
-use crate::shading::sphere::{
-    Cap, cap_irradiance, cap_irradiance_hermite_1, cap_irradiance_hermite_2, cap_phong_lobe_only,
-};
+use crate::shading::disk::disk_solid_angle;
+use crate::shading::reference::{BoundedResponse, reference};
+use crate::shading::sphere::Cap;
 use crate::shading::{Method, PhongLobe, Response, ShadingPoint, respond};
 
 const SCHEMA: &str = "area-light-reference/1";
@@ -52,6 +51,8 @@ pub(super) struct Inputs {
     sigma: Option<f64>,
     n: Option<f64>,
     decay: Option<f64>,
+    kind: Option<String>,
+    light_normal: Option<DVec3>,
     vertices: Option<Vec<DVec3>>,
     pub(super) corner: Option<DVec3>,
     pub(super) eu: Option<DVec3>,
@@ -64,7 +65,7 @@ pub(super) struct Inputs {
 pub(super) struct Check {
     /// The model, as the table names it.
     pub(super) name: &'static str,
-    pub(super) light: Light,
+    pub(super) light: Emitter,
     pub(super) at: ShadingPoint,
     pub(super) lobe: PhongLobe,
     /// Which part of the response is asked for, and what it is multiplied by to be in the file's normalisation.
@@ -73,17 +74,6 @@ pub(super) struct Check {
     pub(super) expected: f64,
     /// The scale S of the case, in the file's normalisation.
     pub(super) scale: f64,
-}
-
-/// What shines.
-#[derive(Clone, Debug)]
-pub(super) enum Light {
-    Emitter(Emitter),
-    /// The directions within an angle of a centre; p does not matter.
-    Cap {
-        center: DVec3,
-        half_angle: f64,
-    },
 }
 
 /// A part of a response.
@@ -168,10 +158,28 @@ impl Inputs {
         Ok(SphereEmitter { center: Self::vector(self.center, "center")?, radius })
     }
 
-    fn cap(&self) -> anyhow::Result<Light> {
+    fn disk(&self) -> anyhow::Result<DiskEmitter> {
+        let radius = Self::number(self.radius, "radius")?;
+        ensure!(radius > 0.0, "input `radius` is {radius}, not positive");
+        let normal = Self::direction(self.light_normal, "light_normal")?;
+        Ok(DiskEmitter { center: Self::vector(self.center, "center")?, normal, radius, two_sided: true })
+    }
+
+    fn sky(&self) -> anyhow::Result<SkyEmitter> {
+        let (uniform, cosine) = match self.kind.as_deref() {
+            Some("const") => (1.0, 0.0),
+            Some("cos") => (0.0, 1.0),
+            Some("cie") => (1.0 / 3.0, 2.0 / 3.0),
+            Some(other) => bail!("input `kind` is `{other}`, not const, cos or cie"),
+            None => bail!("missing input `kind`"),
+        };
+        Ok(SkyEmitter { zenith: Self::direction(self.L, "L")?, uniform, cosine })
+    }
+
+    fn cap(&self) -> anyhow::Result<CapEmitter> {
         let half_angle = Self::number(self.sigma, "sigma")?;
         ensure!((0.0..=FRAC_PI_2).contains(&half_angle), "input `sigma` is {half_angle}, not from 0 to π/2");
-        Ok(Light::Cap { center: Self::direction(self.L, "L")?, half_angle })
+        Ok(CapEmitter { to_center: Self::direction(self.L, "L")?, half_angle })
     }
 }
 
@@ -179,18 +187,18 @@ impl Inputs {
 pub(super) fn checks(model: &str, case: &Case) -> anyhow::Result<Option<Vec<Check>>> {
     let inputs = &case.inputs;
     let light = match model {
-        "polygon_lambert" | "polygon_phong" | "polygon_phong_nclip" => {
-            Light::Emitter(Emitter::Polygon(inputs.polygon()?))
-        }
-        "linear_diffuse" => Light::Emitter(Emitter::Line(inputs.line(Inputs::number(inputs.decay, "decay")?)?)),
-        "linear_phong" => Light::Emitter(Emitter::Line(inputs.line(2.0)?)),
-        "sphere_lambert" | "sphere_phong" => Light::Emitter(Emitter::Sphere(inputs.sphere()?)),
-        "subhemi_lambert" | "subhemi_phong" => inputs.cap()?,
+        "polygon_lambert" | "polygon_phong" | "polygon_phong_nclip" => Emitter::Polygon(inputs.polygon()?),
+        "linear_diffuse" => Emitter::Line(inputs.line(Inputs::number(inputs.decay, "decay")?)?),
+        "linear_phong" => Emitter::Line(inputs.line(2.0)?),
+        "sphere_lambert" | "sphere_phong" => Emitter::Sphere(inputs.sphere()?),
+        "subhemi_lambert" | "subhemi_phong" => Emitter::Cap(inputs.cap()?),
+        "hemi_lambert" | "hemi_phong" => Emitter::Sky(inputs.sky()?),
+        "disk_diffuse" | "disk_phong" => Emitter::Disk(inputs.disk()?),
         _ => return Ok(None),
     };
     let p = match light {
-        Light::Emitter(_) => Inputs::vector(inputs.p, "p")?,
-        Light::Cap { .. } => DVec3::ZERO,
+        Emitter::Sky(_) | Emitter::Cap(_) => DVec3::ZERO,
+        _ => Inputs::vector(inputs.p, "p")?,
     };
     let facing = |name, axis: DVec3, expected| {
         let at = ShadingPoint { p, n: axis, v: axis };
@@ -219,17 +227,44 @@ pub(super) fn checks(model: &str, case: &Case) -> anyhow::Result<Option<Vec<Chec
         "sphere_phong" => vec![lobe_only("sphere_phong")?],
         "subhemi_lambert" => vec![diffuse("subhemi_lambert")?],
         "subhemi_phong" => vec![lobe_only("subhemi_phong")?],
+        "hemi_lambert" => vec![diffuse("hemi_lambert")?],
+        "hemi_phong" => vec![lobe_only("hemi_phong")?],
+        "disk_diffuse" => vec![diffuse("disk_diffuse")?],
+        "disk_phong" => vec![lobe_only("disk_phong")?],
         other => bail!("no inputs for the model `{other}`"),
     }))
 }
 
 /// A diffuse check in the file's normalisation.
-fn check(name: &'static str, light: Light, at: ShadingPoint, expected: f64) -> Check {
-    let is_line = matches!(light, Light::Emitter(Emitter::Line(_)));
-    let factor = if is_line { 1.0 } else { PI.recip() };
+fn check(name: &'static str, light: Emitter, at: ShadingPoint, expected: f64) -> Check {
     let size = size(&light, at.p);
-    let scale = if is_line { size } else { (size * factor).min(1.0) };
+    let (factor, scale) = match Normalisation::of(&light) {
+        Normalisation::Line => (1.0, size),
+        Normalisation::Bare => (1.0, size.min(PI)),
+        Normalisation::Share => (PI.recip(), (size / PI).min(1.0)),
+    };
     Check { name, light, at, lobe: PhongLobe::new(1.0), part: Part::Irradiance, factor, expected, scale }
+}
+
+/// What the integrals in a file are multiplied by.
+#[derive(Clone, Copy, Debug)]
+enum Normalisation {
+    /// Nothing; the scale has no bound.
+    Line,
+    /// Nothing.
+    Bare,
+    /// 1/π or (m+1)/(2π), which makes all of the light 1.
+    Share,
+}
+
+impl Normalisation {
+    fn of(light: &Emitter) -> Self {
+        match light {
+            Emitter::Line(_) => Self::Line,
+            Emitter::Disk(_) => Self::Bare,
+            _ => Self::Share,
+        }
+    }
 }
 
 impl Check {
@@ -237,30 +272,28 @@ impl Check {
     fn specular(self, m: f64) -> Self {
         let normalisation = (m + 1.0) / (2.0 * PI);
         let size = size(&self.light, self.at.p);
-        let is_line = matches!(self.light, Light::Emitter(Emitter::Line(_)));
-        let (factor, scale) =
-            if is_line { (normalisation.recip(), size) } else { (1.0, (size * normalisation).min(1.0)) };
+        let (factor, scale) = match Normalisation::of(&self.light) {
+            Normalisation::Line => (normalisation.recip(), size),
+            Normalisation::Bare => (normalisation.recip(), size.min(normalisation.recip())),
+            Normalisation::Share => (1.0, (size * normalisation).min(1.0)),
+        };
         Self { lobe: PhongLobe::new(m), part: Part::Specular, factor, scale, ..self }
     }
 
     /// The methods that differ for this part, `reference` aside.
     pub(super) fn methods(&self) -> &'static [Method] {
         const CLUSTER: Method = Method::PointCluster(16);
-        let emitter = match (&self.light, self.part) {
-            (Light::Emitter(emitter), _) => emitter,
-            (Light::Cap { .. }, Part::Irradiance) => return &[Method::Exact, Method::Hermite1, Method::Hermite2],
-            (Light::Cap { .. }, Part::Specular) => return &[Method::Exact],
-        };
-        match (emitter, self.part) {
+        match (&self.light, self.part) {
             (Emitter::Polygon(_), Part::Specular) => {
                 &[Method::Exact, Method::NearestPoint, Method::NearestPointPicott, CLUSTER, Method::Point]
             }
             (Emitter::Line(_), Part::Specular) => {
                 &[Method::Exact, Method::CHEBYSHEV, Method::NearestPoint, CLUSTER, Method::Point]
             }
-            (Emitter::Sphere(_), Part::Irradiance) => {
+            (Emitter::Sphere(_) | Emitter::Cap(_), Part::Irradiance) => {
                 &[Method::Exact, Method::Hermite1, Method::Hermite2, CLUSTER, Method::Point]
             }
+            (Emitter::Sky(_), _) => &[Method::Exact, Method::Point],
             (Emitter::Point(_) | Emitter::Directional(_), _) => &[Method::Exact],
             _ => &[Method::Exact, CLUSTER, Method::Point],
         }
@@ -268,46 +301,18 @@ impl Check {
 
     /// A method's answer.
     pub(super) fn value(&self, method: Method) -> f64 {
-        let value = match &self.light {
-            Light::Emitter(emitter) => self.part.of(&respond(emitter, method, &self.at, &self.lobe)),
-            &Light::Cap { center, half_angle } => {
-                let cap = Cap::new(center, half_angle);
-                match (self.part, method) {
-                    (Part::Irradiance, Method::Hermite1) => cap_irradiance_hermite_1(&cap, self.at.n),
-                    (Part::Irradiance, Method::Hermite2) => cap_irradiance_hermite_2(&cap, self.at.n),
-                    (Part::Irradiance, _) => cap_irradiance(&cap, self.at.n),
-                    (Part::Specular, _) => cap_phong_lobe_only(&cap, self.at.n, self.lobe.exponent()),
-                }
-            }
-        };
-        value * self.factor
+        self.part.of(&respond(&self.light, method, &self.at, &self.lobe)) * self.factor
     }
 
     /// The answer by quadrature, and its bound.
     pub(super) fn estimate(&self) -> Estimate {
-        match &self.light {
-            Light::Emitter(emitter) => self.part.of_bounded(&reference(emitter, &self.at, &self.lobe)) * self.factor,
-            &Light::Cap { center, half_angle } => {
-                let axis = self.at.n;
-                match self.part {
-                    Part::Irradiance => cap_reference(center, half_angle, &Kernel::cosine(axis)) * self.factor,
-                    Part::Specular => {
-                        let kernel = Kernel::cosine_power(axis, self.lobe.exponent());
-                        cap_reference(center, half_angle, &kernel) * self.lobe.normalisation()
-                    }
-                }
-            }
-        }
+        self.part.of_bounded(&reference(&self.light, &self.at, &self.lobe)) * self.factor
     }
 }
 
 /// The solid angle of a light, or |B−A|/dᶠ of a line at the least distance d.
-fn size(light: &Light, p: DVec3) -> f64 {
-    let emitter = match light {
-        Light::Emitter(emitter) => emitter,
-        &Light::Cap { center, half_angle } => return Cap::new(center, half_angle).solid_angle(),
-    };
-    match emitter {
+fn size(light: &Emitter, p: DVec3) -> f64 {
+    match light {
         Emitter::Polygon(light) => {
             let corner = light.vertices[0] - p;
             let fan = light.vertices.windows(2).map(|edge| triangle_solid_angle(corner, edge[0] - p, edge[1] - p));
@@ -322,11 +327,9 @@ fn size(light: &Light, p: DVec3) -> f64 {
             let ratio_squared = light.radius * light.radius / light.center.distance_squared(p);
             2.0 * PI * ratio_squared / (1.0 + (1.0 - ratio_squared).max(0.0).sqrt())
         }
-        Emitter::Disk(_)
-        | Emitter::Textured(_)
-        | Emitter::Cap(_)
-        | Emitter::Sky(_)
-        | Emitter::Point(_)
-        | Emitter::Directional(_) => 0.0,
+        Emitter::Disk(light) => disk_solid_angle(light, p),
+        Emitter::Sky(_) => 2.0 * PI,
+        Emitter::Cap(light) => Cap::new(light.to_center, light.half_angle).solid_angle(),
+        Emitter::Textured(_) | Emitter::Point(_) | Emitter::Directional(_) => 0.0,
     }
 }

@@ -1,12 +1,13 @@
 //! The preview's shading functions over reference cases.
 
 use super::Question;
-use super::cases::{Check, Light, Part};
+use super::cases::{Check, Part};
 use super::table::Row;
 use crate::gpu::Context;
 use crate::gpu::twin::cases::{
-    Case, line_irradiance_case, line_phong_case, polygon_irradiance_case, polygon_phong_case, sphere_irradiance_case,
-    sphere_phong_case,
+    Case, cap_irradiance_case, cap_phong_case, disk_irradiance_case, disk_phong_case, line_irradiance_case,
+    line_phong_case, polygon_irradiance_case, polygon_phong_case, sky_irradiance_case, sky_phong_case,
+    sphere_irradiance_case, sphere_phong_case,
 };
 use crate::gpu::twin::{self, Function, Twin, bound};
 use crate::light::Emitter;
@@ -49,10 +50,9 @@ impl Device {
 
 /// The function that answers a check, and its inputs.
 fn ask<'a>(id: &'a str, check: &Check) -> Option<Asked<'a>> {
-    let Light::Emitter(emitter) = &check.light else { return None };
     let (p, n, r, m) = (check.at.p, check.at.n, check.at.mirror(), check.lobe.exponent());
     let mut factor = check.factor;
-    let (function, case) = match (emitter, check.part) {
+    let (function, case) = match (&check.light, check.part) {
         (Emitter::Polygon(light), Part::Irradiance) => {
             (twin::POLYGON_IRRADIANCE, polygon_irradiance_case(&light.vertices, p, n))
         }
@@ -67,6 +67,12 @@ fn ask<'a>(id: &'a str, check: &Check) -> Option<Asked<'a>> {
         }
         (Emitter::Sphere(light), Part::Irradiance) => (twin::SPHERE_IRRADIANCE, sphere_irradiance_case(light, p, n)),
         (Emitter::Sphere(light), Part::Specular) => (twin::SPHERE_PHONG, sphere_phong_case(light, p, n, r, m)),
+        (Emitter::Disk(light), Part::Irradiance) => (twin::DISK_IRRADIANCE, disk_irradiance_case(light, p, n)),
+        (Emitter::Disk(light), Part::Specular) => (twin::DISK_PHONG, disk_phong_case(light, p, n, r, m)),
+        (Emitter::Cap(light), Part::Irradiance) => (twin::CAP_IRRADIANCE, cap_irradiance_case(light, n)),
+        (Emitter::Cap(light), Part::Specular) => (twin::CAP_PHONG, cap_phong_case(light, n, r, m)),
+        (Emitter::Sky(light), Part::Irradiance) => (twin::SKY_IRRADIANCE, sky_irradiance_case(light, n)),
+        (Emitter::Sky(light), Part::Specular) => (twin::SKY_PHONG, sky_phong_case(light, n, r, m)),
         _ => return None,
     };
     Some(Asked { id, model: check.name, function, case, factor })

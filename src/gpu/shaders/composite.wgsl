@@ -15,18 +15,26 @@ struct Reflectance {
 }
 
 struct VisibleEmitter {
-    // Polygon: unit normal. Sphere: centre about the eye.
+    // Polygon, disk: unit normal. Sphere: centre about the eye. Cap, sky: unit direction to its middle.
     vector: vec3f,
-    // Polygon: 0. Sphere: radius.
+    // Sphere, disk: radius. Cap: sine of the half-angle.
     radius: f32,
     radiance: vec3f,
     two_sided: u32,
+    // Among the vertices: the polygon's corners, the disk's centre, the sky's uniform and cosine parts.
     first: u32,
     count: u32,
     // Of a textured light, whose texels follow its corners; else 0.
     columns: u32,
     rows: u32,
+    kind: u32,
 }
+
+const POLYGON = 0u;
+const SPHERE = 1u;
+const DISK = 2u;
+const CAP = 3u;
+const SKY = 4u;
 
 @group(0) @binding(0) var positions: texture_2d<f32>;
 @group(0) @binding(1) var normals: texture_2d<f32>;
@@ -56,7 +64,9 @@ fn composite(@builtin(position) pixel: vec4f) -> @location(0) vec4f {
     let emitter = emitter_seen(position);
     if emitter.w > 0.0 {
         radiance = emitter.xyz;
-    } else if position.w > 0.0 {
+    } else if position.w == 0.0 {
+        radiance = radiance_of_distant(normalize(position.xyz));
+    } else {
         let reflectance = reflectances[u32(textureLoad(normals, at, 0).w)];
         let light = sum_of_layers(at);
         radiance += reflectance.diffuse_over_pi * light.irradiance + reflectance.specular * light.specular;
@@ -94,10 +104,17 @@ fn emitter_seen(position: vec4f) -> vec4f {
     for (var i = 0u; i < composite_batch.emitter_count; i++) {
         let emitter = emitters[i];
         var t = 0.0;
-        if emitter.radius > 0.0 {
-            t = distance_to_sphere(emitter.vector, emitter.radius, d);
-        } else {
-            t = distance_to_polygon(emitter, d);
+        switch emitter.kind {
+            case SPHERE: {
+                t = distance_to_sphere(emitter.vector, emitter.radius, d);
+            }
+            case DISK: {
+                t = distance_to_disk(emitter, d);
+            }
+            case CAP, SKY: {}
+            default: {
+                t = distance_to_polygon(emitter, d);
+            }
         }
         if t > 0.0 && t < nearest {
             let luminance = luminance_seen(emitter, t * d);
@@ -133,6 +150,33 @@ fn distance_to_sphere(centre: vec3f, radius: f32, d: vec3f) -> f32 {
         return 0.0;
     }
     return max(b - sqrt(half_squared), 0.0);
+}
+
+fn distance_to_disk(emitter: VisibleEmitter, d: vec3f) -> f32 {
+    let toward = dot(emitter.vector, d);
+    if abs(toward) < 1e-12 || (toward > 0.0 && emitter.two_sided == 0u) {
+        return 0.0;
+    }
+    let center = emitter_vertices[emitter.first].xyz;
+    let t = dot(emitter.vector, center) / toward;
+    return select(0.0, t, length(t * d - center) < emitter.radius);
+}
+
+// Radiance of caps and skies in a direction in which nothing is nearer.
+fn radiance_of_distant(d: vec3f) -> vec3f {
+    var radiance = vec3f();
+    for (var i = 0u; i < composite_batch.emitter_count; i++) {
+        let emitter = emitters[i];
+        let cosine = dot(emitter.vector, d);
+        if emitter.kind == CAP && cosine > 0.0 && length(cross(emitter.vector, d)) <= emitter.radius {
+            radiance += emitter.radiance;
+        }
+        if emitter.kind == SKY && cosine >= 0.0 {
+            let parts = emitter_vertices[emitter.first];
+            radiance += emitter.radiance * (parts.x + parts.y * cosine);
+        }
+    }
+    return radiance;
 }
 
 // Even-odd rule in the polygon's plane, with its steepest axis left out.

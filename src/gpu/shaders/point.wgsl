@@ -7,7 +7,8 @@ struct PointLight {
 
 struct DirectionalLight {
     to_light: vec3f,
-    unused: u32,
+    // On a surface that faces it.
+    illuminance: f32,
 }
 
 // Nearer than 1e-15 m a point touches the light, which then adds nothing: 1/r³ stays inside the range of f32.
@@ -22,7 +23,7 @@ fn point_respond(at: Shading) -> Response {
 }
 
 fn directional_respond(at: Shading) -> Response {
-    return direction_response(directional_light.to_light, 1.0, at.n, at.r, at.lobe);
+    return direction_response(directional_light.to_light, directional_light.illuminance, at.n, at.r, at.lobe);
 }
 
 // Response to a point light of `intensity` at `to_light` from the point, that falls off as 1/dⁿ.

@@ -169,7 +169,10 @@ fn hermite(start: vec2f, stop: vec2f, width: f32, x: f32) -> f32 {
 
 // Directions spread evenly over the cap, each of the same solid angle.
 fn sphere_cluster(to_center: vec3f, radius: f32, count: u32, n: vec3f, r: vec3f, lobe: u32) -> Response {
-    let cap = cap_of_sphere(to_center, radius, n);
+    return cap_cluster(cap_of_sphere(to_center, radius, n), count, n, r, lobe);
+}
+
+fn cap_cluster(cap: Cap, count: u32, n: vec3f, r: vec3f, lobe: u32) -> Response {
     let depth = cap.sin_sigma * cap.sin_sigma / (1.0 + cap.cos_sigma);
     let part = 2.0 * PI * depth / f32(count);
     let c = cap.center;
@@ -284,7 +287,8 @@ fn cap_circle(b: Boundary, elevation: f32) -> f32 {
     let slope = b.sin_sigma * b.sin_omega;
     let cut = cut_angle(b.z_cut - b.cos_sigma * b.cos_omega, slope);
     let half = cut_half_angle(b.sin_sigma, b.cos_sigma, elevation);
-    if half >= PI || b.cos_sigma == 0.0 {
+    // A horizon that is r's own, up to rounding, cuts nothing off that r's does not.
+    if half >= PI || b.cos_sigma == 0.0 || b.amplitude < 1e-6 {
         let nodes = cap_circle_nodes(b);
         if end >= PI && nodes <= CAP_CIRCLE_NODES {
             return cap_whole_circle(b, nodes);

@@ -5,12 +5,14 @@ use std::f64::consts::{PI, TAU};
 use glam::DVec3;
 
 use super::{Row, rounded, rounded_number};
-use crate::light::{LineEmitter, SphereEmitter};
+use crate::light::{CapEmitter, DiskEmitter, LineEmitter, SkyEmitter, SphereEmitter};
 use crate::math::spherical::triangle_solid_angle;
 use crate::shading::PhongLobe;
+use crate::shading::disk::{disk_irradiance, disk_phong, disk_solid_angle};
 use crate::shading::line::{line_irradiance, line_phong};
 use crate::shading::polygon::{polygon_irradiance, polygon_phong};
-use crate::shading::sphere::{Cap, sphere_irradiance, sphere_phong};
+use crate::shading::sky::{sky_irradiance, sky_phong};
+use crate::shading::sphere::{Cap, cap_irradiance, cap_phong, sphere_irradiance, sphere_phong};
 
 /// Inputs, the f64 answer on them, and the scale of the case.
 #[derive(Clone, Debug)]
@@ -71,6 +73,54 @@ pub fn sphere_phong_case(light: &SphereEmitter, p: DVec3, n: DVec3, r: DVec3, m:
     Case { row, expected, scale: lobe_scale(sphere_solid_angle(&light), m) }
 }
 
+/// A row of [`super::DISK_IRRADIANCE`].
+pub fn disk_irradiance_case(light: &DiskEmitter, p: DVec3, n: DVec3) -> Case {
+    let (light, normal, n) = (disk_about(light, p), rounded(light.normal), rounded(n));
+    let row = Row::default().vector(light.center).vector(normal).number(light.radius).vector(n);
+    let expected = disk_irradiance(&light, DVec3::ZERO, n.normalize());
+    Case { row, expected, scale: disk_solid_angle(&light, DVec3::ZERO).min(PI) }
+}
+
+/// A row of [`super::DISK_PHONG`].
+pub fn disk_phong_case(light: &DiskEmitter, p: DVec3, n: DVec3, r: DVec3, m: f64) -> Case {
+    let (light, normal) = (disk_about(light, p), rounded(light.normal));
+    let (n, r, m) = (rounded(n), rounded(r), rounded_number(m));
+    let row = Row::default().vector(light.center).vector(normal).number(light.radius).vector(n).vector(r).number(m);
+    let expected = disk_phong(&light, DVec3::ZERO, n.normalize(), r.normalize(), m);
+    Case { row, expected, scale: lobe_scale(disk_solid_angle(&light, DVec3::ZERO), m) }
+}
+
+/// A row of [`super::CAP_IRRADIANCE`].
+pub fn cap_irradiance_case(light: &CapEmitter, n: DVec3) -> Case {
+    let (cap, row) = cap_rounded(light);
+    let n = rounded(n);
+    let expected = cap_irradiance(&cap, n.normalize());
+    Case { row: row.vector(n), expected, scale: cap.solid_angle().min(PI) }
+}
+
+/// A row of [`super::CAP_PHONG`].
+pub fn cap_phong_case(light: &CapEmitter, n: DVec3, r: DVec3, m: f64) -> Case {
+    let (cap, row) = cap_rounded(light);
+    let (n, r, m) = (rounded(n), rounded(r), rounded_number(m));
+    let expected = cap_phong(&cap, n.normalize(), r.normalize(), m);
+    Case { row: row.vector(n).vector(r).number(m), expected, scale: lobe_scale(cap.solid_angle(), m) }
+}
+
+/// A row of [`super::SKY_IRRADIANCE`].
+pub fn sky_irradiance_case(light: &SkyEmitter, n: DVec3) -> Case {
+    let (light, row) = sky_rounded(light);
+    let n = rounded(n);
+    Case { row: row.vector(n), expected: sky_irradiance(&light, n.normalize()), scale: PI }
+}
+
+/// A row of [`super::SKY_PHONG`].
+pub fn sky_phong_case(light: &SkyEmitter, n: DVec3, r: DVec3, m: f64) -> Case {
+    let (light, row) = sky_rounded(light);
+    let (n, r, m) = (rounded(n), rounded(r), rounded_number(m));
+    let expected = sky_phong(&light, n.normalize(), r.normalize(), m);
+    Case { row: row.vector(n).vector(r).number(m), expected, scale: 1.0 }
+}
+
 /// The unit normal of a polygon's plane, about which its corners run counter-clockwise.
 fn normal_of(vertices: &[DVec3]) -> DVec3 {
     let Some(&corner) = vertices.first() else { return DVec3::ZERO };
@@ -99,6 +149,25 @@ fn vertices_about(vertices: &[DVec3], p: DVec3) -> Vec<DVec3> {
 
 fn sphere_about(light: &SphereEmitter, p: DVec3) -> SphereEmitter {
     SphereEmitter { center: rounded(light.center - p), radius: rounded_number(light.radius) }
+}
+
+fn disk_about(light: &DiskEmitter, p: DVec3) -> DiskEmitter {
+    let radius = rounded_number(light.radius);
+    DiskEmitter { center: rounded(light.center - p), normal: rounded(light.normal).normalize(), radius, ..*light }
+}
+
+fn cap_rounded(light: &CapEmitter) -> (Cap, Row) {
+    let center = rounded(light.to_center);
+    let (sin, cos) = light.half_angle.sin_cos();
+    let row = Row::default().vector(center).number(sin).number(cos);
+    (Cap::new(center.normalize(), light.half_angle), row)
+}
+
+fn sky_rounded(light: &SkyEmitter) -> (SkyEmitter, Row) {
+    let (zenith, uniform, cosine) =
+        (rounded(light.zenith), rounded_number(light.uniform), rounded_number(light.cosine));
+    let row = Row::default().vector(zenith).number(uniform).number(cosine);
+    (SkyEmitter { zenith: zenith.normalize(), uniform, cosine }, row)
 }
 
 /// |B−A|/dᶠ, d the least distance from the origin; that times 2ϱ of a tube.

@@ -9,6 +9,9 @@ use crate::light::DiskEmitter;
 /// Nearer to the disk's plane than this part of its farthest point's distance, a point is in the plane.
 const FLAT: f64 = 1e-14;
 
+/// Nearer to the disk's axis than this part of that distance, a point is on the axis.
+const ROUND: f64 = 1e-14;
+
 /// The directions in (X/tan α)² + (Y/tan β)² < Z², Z > 0, in axes of its own; α ≤ β.
 ///
 /// X and Z lie in the plane of symmetry of p and the disk, which cuts it in a diameter: Z halves the angle 2α that the
@@ -36,7 +39,12 @@ impl Cone {
         if height <= FLAT * l_2 {
             return None;
         }
-        let across = if aside > 0.0 { lateral / aside } else { ahead.any_orthonormal_vector() };
+        // What is left of `to_center` near the axis has lost its direction.
+        let across = if aside > ROUND * l_2 {
+            (lateral - lateral.dot(ahead) * ahead).normalize()
+        } else {
+            ahead.any_orthonormal_vector()
+        };
         let product = l_1 * l_2;
         let sin_2a = 2.0 * radius * height / product;
         let cos_2a = ((aside - radius) * (aside + radius) + height * height) / product;

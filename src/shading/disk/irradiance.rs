@@ -18,6 +18,7 @@ use crate::light::DiskEmitter;
 ///
 /// **Source:** derived here from Lambert's contour integral, [`crate::refs::SNYDER_1996`], eq. (8) for a curved edge.
 /// **Domain:** unit `n`; either side of the disk; 0 for p in its plane. **Units:** lx per cd·m⁻².
+/// **Accuracy:** 5e-14 of the smaller of π and the solid angle, relative 1e-13 (`closed_form::disk`).
 /// **Twin:** `shaders/disk.wgsl`.
 pub fn disk_irradiance(light: &DiskEmitter, p: DVec3, n: DVec3) -> f64 {
     let Some(cone) = Cone::new(light, p) else { return 0.0 };

@@ -37,8 +37,3 @@ pub fn disk_point(light: &DiskEmitter, at: &ShadingPoint, lobe: &PhongLobe) -> R
 fn shines_on(light: &DiskEmitter, at: &ShadingPoint) -> bool {
     light.two_sided || light.normal.dot(at.p - light.center) > 0.0
 }
-
-/// The regular polygon of 64 corners on the rim.
-pub fn as_polygon(light: &DiskEmitter) -> crate::light::PolygonEmitter {
-    crate::light::PolygonEmitter { vertices: light.rim(64).collect(), normal: light.normal, two_sided: light.two_sided }
-}

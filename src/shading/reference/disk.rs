@@ -40,7 +40,10 @@ struct Fan {
 impl Fan {
     fn new(light: &DiskEmitter, to_center: DVec3, height: f64) -> Self {
         let lateral = to_center - height * light.normal;
-        let outward = lateral.try_normalize().unwrap_or_else(|| light.normal.any_orthonormal_vector());
+        // Twice, because what is left near the axis has lost its direction.
+        let lateral = lateral - lateral.dot(light.normal) * light.normal;
+        let outward = lateral.try_normalize().filter(|v| v.dot(light.normal).abs() < 1e-8);
+        let outward = outward.unwrap_or_else(|| light.normal.any_orthonormal_vector());
         let (near, far) = (to_center - light.radius * outward, to_center + light.radius * outward);
         let along = light.normal.cross(outward);
         let first = near.normalize();

@@ -1,11 +1,11 @@
-//! A sphere by nested quadrature over the cap of directions that meet it.
+//! A sphere, a cap and a sky by nested quadrature over the directions that meet them.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use glam::DVec3;
 
 use super::{Kernel, split};
-use crate::light::SphereEmitter;
+use crate::light::{SkyEmitter, SphereEmitter};
 use crate::math::quadrature::{Estimate, adaptive, adaptive_graded};
 
 /// ∫ weight(ω) dω over a sphere of luminance 1 seen from p; from inside, over every direction.
@@ -18,6 +18,16 @@ pub fn sphere_reference(light: &SphereEmitter, p: DVec3, kernel: &Kernel) -> Est
 
 /// ∫ weight(ω) dω over the directions within `half_angle` of the unit `center`.
 pub fn cap_reference(center: DVec3, half_angle: f64, kernel: &Kernel) -> Estimate {
+    rings(center, half_angle, kernel, |_| 1.0)
+}
+
+/// ∫ weight(ω) L(ω) dω over a sky of unit luminance.
+pub fn sky_reference(light: &SkyEmitter, kernel: &Kernel) -> Estimate {
+    rings(light.zenith, FRAC_PI_2, kernel, |theta| light.uniform + light.cosine * theta.cos())
+}
+
+/// ∫ weight dω over a cap whose radiance depends on the angle from its centre.
+fn rings(center: DVec3, half_angle: f64, kernel: &Kernel, radiance: impl Fn(f64) -> f64) -> Estimate {
     let cap = Cap::new(center);
     // Rings touch a horizon at these polar angles, and meet both at the last.
     let touching = kernel.horizons().flat_map(|normal| {
@@ -29,7 +39,7 @@ pub fn cap_reference(center: DVec3, half_angle: f64, kernel: &Kernel) -> Estimat
     let peak = cap.polar(kernel.axis);
     let peaks = kernel.peak_offsets().map(|offset| peak + offset);
     let breaks = split(0.0, half_angle, touching.chain(corners).chain(peaks));
-    let estimate = adaptive_graded(&breaks, kernel.outer(), |theta| cap.ring(theta, kernel));
+    let estimate = adaptive_graded(&breaks, kernel.outer(), |theta| cap.ring(theta, kernel) * radiance(theta));
     Estimate { error: estimate.error + 16.0 * f64::EPSILON * estimate.value, ..estimate }
 }
 
