@@ -198,6 +198,15 @@ mod tests {
     }
 
     #[test]
+    fn a_lobe_along_the_zenith_of_a_cosine_weighted_sky_gives_m_plus_1_over_m_plus_2() {
+        let chart = snyder_4();
+        for (line, m) in lines(&chart, 1).iter().zip([1.0, 4.0, 16.0, 64.0]) {
+            let expected = (m + 1.0) / (m + 2.0);
+            assert!((line.y[0] - expected).abs() < 1e-12, "m = {m}: {} is not {expected}", line.y[0]);
+        }
+    }
+
+    #[test]
     fn normalised_curves_begin_at_one_and_fall() {
         let chart = snyder_6();
         assert_eq!(chart.panels.len(), 4, "a panel an exponent");
