@@ -15,7 +15,7 @@ const MOST_LEAVES: usize = 1 << 16;
 
 /// How far the parts of a layer are opened, one stage after the other.
 ///
-/// The last is what the layer is held to: with it the response is within 1e-4 of the layer's peak (`agreement`).
+/// The last is what the layer is held to: with it the response is within 1/1024 of the layer's peak (`tests/gpu/textured`).
 pub(crate) const STAGES: [Stage; 3] = [
     Stage { opening: 1.0, negligible: 1e-2 },
     Stage { opening: 0.5, negligible: 1e-4 },
