@@ -129,11 +129,11 @@ fn a_file_that_is_no_json_or_of_another_schema_or_not_there_is_one_clear_line() 
 
 #[test]
 fn a_model_that_is_not_built_is_said_so_and_can_be_left_out() {
-    let (_folder, unbuilt) = changed("sphere_lambert", |file| file["model"] = json!("disk_diffuse"));
+    let (_folder, unbuilt) = changed("sphere_lambert", |file| file["model"] = json!("torus_diffuse"));
     let files = [unbuilt, reference("sphere_lambert")];
     let output = verify(&files, &[]);
     assert_eq!(output.status.code(), Some(1), "{}", text(&output.stderr));
-    assert_eq!(rows(&output)[0].split_whitespace().collect::<Vec<_>>(), ["disk_diffuse", "not", "built"]);
+    assert_eq!(rows(&output)[0].split_whitespace().collect::<Vec<_>>(), ["torus_diffuse", "not", "built"]);
 
     let output = verify(&files, &["--model", "sphere_lambert"]);
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
