@@ -121,6 +121,7 @@ impl Channel {
     }
 
     /// The texel at shares u of a row and v of a column, from 0 to 1.
+    #[expect(clippy::cast_possible_truncation, reason = "a share of a count, cut to the texel's index")]
     pub fn value(&self, u: f64, v: f64) -> f64 {
         let index = |share: f64, count: u32| (share * f64::from(count)).clamp(0.0, f64::from(count - 1)) as usize;
         f64::from(self.texels[index(v, self.height) * self.width() + index(u, self.width)])

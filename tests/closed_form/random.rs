@@ -22,6 +22,11 @@ impl Random {
         from + (to - from) * (self.bits() >> 11) as f64 / (1_u64 << 53) as f64
     }
 
+    /// A whole number below `count`.
+    pub(crate) fn below(&mut self, count: usize) -> usize {
+        usize::try_from(self.bits() % count as u64).expect("it is below a usize")
+    }
+
     /// Uniform in the logarithm.
     pub(crate) fn magnitude(&mut self, from: f64, to: f64) -> f64 {
         self.within(from.ln(), to.ln()).exp()

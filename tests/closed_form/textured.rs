@@ -46,7 +46,7 @@ fn cases_wanted(usual: usize) -> usize {
 /// A light of random size, place and pattern, and a point near it or far away.
 fn any_case(random: &mut Random) -> (TexturedEmitter, ShadingPoint, Lobe) {
     let sides = [0, 1].map(|_| random.magnitude(0.2, 5.0));
-    let counts = [0, 1].map(|_| random.within(1.0, 9.0) as usize);
+    let counts = [0, 1].map(|_| 1 + random.below(8));
     let seed = random.within(1.0, 2.0);
     let pattern = channel(counts[0], counts[1], |u, v| {
         let value = ((12.9898 * u + 78.233 * v) * seed).sin();

@@ -108,7 +108,8 @@ fn difference(scene: &Scene) -> (f64, f64) {
 
 #[test]
 fn a_textured_light_looks_the_same() {
-    let color = ImageBuffer::from_fn(5, 4, |x, y| Rgb([40 * (x as u8), 60 * (y as u8), 200 - 40 * (x as u8)]));
+    let level = |of: u32| u8::try_from(of).expect("at most 200");
+    let color = ImageBuffer::from_fn(5, 4, |x, y| Rgb([level(40 * x), level(60 * y), level(200 - 40 * x)]));
     for (name, pattern, two_sided) in [
         ("one texel", encoded(ImageBuffer::from_pixel(1, 1, Luma([200_u8]))), false),
         ("colour", encoded(color), true),

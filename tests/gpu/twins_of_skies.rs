@@ -60,7 +60,7 @@ fn phong_integral_of_a_sky_matches() {
     });
     let random = (0..4000).map(|_| {
         let (light, n) = (random_sky(&mut random), random.direction());
-        let n = if random.bits() % 2 == 0 { n } else { beside(light.zenith, &mut random) };
+        let n = if random.bits().is_multiple_of(2) { n } else { beside(light.zenith, &mut random) };
         let r = beside(n, &mut random);
         sky_phong_case(&light, n, r, random.exponent())
     });

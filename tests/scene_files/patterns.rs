@@ -161,7 +161,8 @@ fn hostile_pictures_are_refused_in_one_line() {
 
 #[test]
 fn truncated_pictures_are_refused() {
-    let noise = ImageBuffer::from_fn(32, 32, |x, y| Rgb([(x * y * 37 % 251) as u8, (x * 91 % 253) as u8, y as u8]));
+    let noise =
+        ImageBuffer::from_fn(32, 32, |x, y| Rgb([(x * y * 37 % 251) as u8, (x * 91 % 253) as u8, (y % 32) as u8]));
     let noise = DynamicImage::ImageRgb8(noise);
     for format in [ImageFormat::Png, ImageFormat::Jpeg, ImageFormat::OpenExr, ImageFormat::Hdr] {
         let picture = match format {
