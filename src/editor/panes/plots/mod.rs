@@ -29,7 +29,7 @@ const FIRST_SAMPLES: usize = 31;
 /// Curves through [`FIRST_SAMPLES`] points that take longer than this are shown before those through all.
 const PATIENCE: Duration = Duration::from_millis(40);
 /// Width of the legend, points.
-const LEGEND_WIDTH: f32 = 330.0;
+const LEGEND_WIDTH: f32 = 360.0;
 /// The error plot's share of the height.
 const ERROR_SHARE: f32 = 0.36;
 
