@@ -12,7 +12,7 @@ use glam::DVec3;
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-use self::spread::Spread;
+use self::spread::{Fluxes, Spread};
 use crate::math::interpolation::{Grid, even_weights};
 
 /// One channel of a pattern: luminance of each texel as a share of the light's, row by row, constant over a texel.
@@ -26,6 +26,8 @@ pub struct Channel {
     mean: f64,
     /// Computed when first asked for.
     spread: OnceLock<Spread>,
+    /// As `spread`.
+    fluxes: OnceLock<Fluxes>,
 }
 
 impl fmt::Debug for Channel {
@@ -79,7 +81,14 @@ impl Channel {
         let [width, height] = [width.try_into().ok()?, height.try_into().ok()?];
         let sum: f64 = texels.iter().map(|texel| f64::from(*texel)).sum();
         let mean = sum / texels.len() as f64;
-        (right && sound).then_some(Self { width, height, texels, mean, spread: OnceLock::new() })
+        (right && sound).then_some(Self {
+            width,
+            height,
+            texels,
+            mean,
+            spread: OnceLock::new(),
+            fluxes: OnceLock::new(),
+        })
     }
 
     /// A channel of that size whose texels are a function's values at their middles, by shares u of a row and v of a
@@ -92,7 +101,7 @@ impl Channel {
 
     /// One texel of value 1.
     pub fn white() -> Self {
-        Self { width: 1, height: 1, texels: vec![1.0], mean: 1.0, spread: OnceLock::new() }
+        Self { width: 1, height: 1, texels: vec![1.0], mean: 1.0, spread: OnceLock::new(), fluxes: OnceLock::new() }
     }
 
     /// Columns and rows.
@@ -135,6 +144,15 @@ impl Channel {
             even_weights(level * 0.25 * columns.length() * rows.length())
         } else {
             self.spread.get_or_init(|| Spread::new(self)).weights(self, columns, rows)
+        }
+    }
+
+    /// ∫ L du dv over a part: the sum of its [`Self::weights`], for far less.
+    pub fn flux(&self, columns: &Span, rows: &Span) -> f64 {
+        if columns.is_within_texel() && rows.is_within_texel() {
+            self.value(columns.at(0.0), rows.at(0.0)) * columns.length() * rows.length()
+        } else {
+            self.fluxes.get_or_init(|| Fluxes::new(self)).flux(self, columns, rows)
         }
     }
 

@@ -49,6 +49,12 @@ impl Lighting {
         Self { lights: lit.collect() }
     }
 
+    /// The same for pictures; see [`Prepared::for_pictures`].
+    pub fn for_pictures(self) -> Self {
+        let lights = self.lights.into_iter().map(|Lit { light, weight }| Lit { light: light.for_pictures(), weight });
+        Self { lights: lights.collect() }
+    }
+
     /// L_out = Σ weight·(k_d/π·E + k_s·S) over the lights, with their unit responses E and S.
     pub fn outgoing(&self, reflection: &Reflection, at: &ShadingPoint) -> Outgoing {
         let mut sum = Outgoing::default();

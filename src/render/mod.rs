@@ -79,7 +79,7 @@ impl Progress {
 pub fn render(scene: &Scene, settings: &Settings, progress: &Progress) -> Option<Film> {
     let view = View {
         geometry: Geometry::new(scene),
-        lighting: Lighting::new(scene, settings.choice),
+        lighting: Lighting::new(scene, settings.choice).for_pictures(),
         reflections: scene.materials.iter().map(Reflection::new).collect(),
         camera: scene.camera,
         size: DVec2::from(settings.size.map(f64::from)),

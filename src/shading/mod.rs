@@ -26,6 +26,7 @@ use glam::DVec3;
 
 use crate::light::Emitter;
 use one_shot::OneShot;
+use textured::quadrature::Sought;
 
 /// A point to shade, and from where it is seen.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -60,17 +61,17 @@ pub struct Response {
 pub fn respond(emitter: &Emitter, method: Method, at: &ShadingPoint, lobe: &PhongLobe) -> Response {
     match OneShot::new(emitter, method) {
         Some(one_shot) => one_shot.respond(at, lobe),
-        None => answer(emitter, method, at, lobe),
+        None => answer(emitter, method, at, lobe, Sought::default()),
     }
 }
 
 /// The response by a method that needs nothing prepared.
-fn answer(emitter: &Emitter, method: Method, at: &ShadingPoint, lobe: &Lobe) -> Response {
+fn answer(emitter: &Emitter, method: Method, at: &ShadingPoint, lobe: &Lobe, sought: Sought) -> Response {
     if method == Method::Reference {
         return reference::reference(emitter, at, lobe).response();
     }
     let (seen, factor) = lobe.seen(at);
-    let Response { irradiance, specular } = answer_cosine(emitter, method, &seen, lobe);
+    let Response { irradiance, specular } = answer_cosine(emitter, method, &seen, lobe, sought);
     let any_lobe = method.takes_any_lobe() || emitter.is_one_direction() || matches!(emitter, Emitter::Textured(_));
     if lobe.is_cosine() || any_lobe {
         return Response { irradiance, specular: factor * specular };
@@ -80,13 +81,13 @@ fn answer(emitter: &Emitter, method: Method, at: &ShadingPoint, lobe: &Lobe) -> 
 
 /// The response of a shape's own module: its specular part is right for cosine lobes, and for all others by methods that
 /// take any lobe.
-fn answer_cosine(emitter: &Emitter, method: Method, at: &ShadingPoint, lobe: &Lobe) -> Response {
+fn answer_cosine(emitter: &Emitter, method: Method, at: &ShadingPoint, lobe: &Lobe, sought: Sought) -> Response {
     match emitter {
         Emitter::Polygon(light) => polygon::respond(light, method, at, lobe),
         Emitter::Line(light) => line::respond(light, method, at, lobe),
         Emitter::Sphere(light) => sphere::respond(light, method, at, lobe),
         Emitter::Disk(light) => disk::respond(light, method, at, lobe),
-        Emitter::Textured(light) => textured::respond(light, method, at, lobe),
+        Emitter::Textured(light) => textured::respond(light, method, at, lobe, sought),
         Emitter::Cap(light) => cap::respond(light, method, at, lobe),
         Emitter::Sky(light) => sky::respond(light, method, at, lobe),
         Emitter::Point(light) => point::respond(light, at, lobe),

@@ -1,6 +1,7 @@
 //! A light prepared for one method.
 
 use super::one_shot::OneShot;
+use super::textured::quadrature::Sought;
 use super::{Method, PhongLobe, Response, ShadingPoint, answer};
 use crate::light::Emitter;
 
@@ -10,12 +11,19 @@ pub struct Prepared {
     emitter: Emitter,
     method: Method,
     one_shot: Option<OneShot>,
+    sought: Sought,
 }
 
 impl Prepared {
     /// The light as `method` needs it; see [`respond`](super::respond) for methods that the light does not have.
     pub fn new(emitter: &Emitter, method: Method) -> Self {
-        Self { emitter: emitter.clone(), method, one_shot: OneShot::new(emitter, method) }
+        Self { emitter: emitter.clone(), method, one_shot: OneShot::new(emitter, method), sought: Sought::default() }
+    }
+
+    /// The same for pictures: what is had by adaptive quadrature only, a textured light's exact response, need be no
+    /// surer than [`Sought::PICTURE`].
+    pub fn for_pictures(self) -> Self {
+        Self { sought: Sought::PICTURE, ..self }
     }
 
     /// The light.
@@ -32,7 +40,7 @@ impl Prepared {
     pub fn respond(&self, at: &ShadingPoint, lobe: &PhongLobe) -> Response {
         match &self.one_shot {
             Some(one_shot) => one_shot.respond(at, lobe),
-            None => answer(&self.emitter, self.method, at, lobe),
+            None => answer(&self.emitter, self.method, at, lobe, self.sought),
         }
     }
 }

@@ -13,18 +13,19 @@ use crate::light::pattern::Span;
 use crate::light::{PolygonEmitter, TexturedEmitter};
 use crate::math::interpolation::CHEBYSHEV;
 
-/// Response to a textured light of luminance 1 by a method.
-pub fn respond(light: &TexturedEmitter, method: Method, at: &ShadingPoint, lobe: &Lobe) -> Response {
+/// Response to a textured light of luminance 1 by a method; `sought` is for the exact one.
+pub fn respond(light: &TexturedEmitter, method: Method, at: &ShadingPoint, lobe: &Lobe, sought: Sought) -> Response {
     match method {
         Method::PointCluster(points) => textured_cluster(light, points, at, lobe),
         Method::Point => textured_cluster(light, 1, at, lobe),
-        _ => textured_exact(light, at, lobe, Sought::default()).response(),
+        _ => textured_exact(light, at, lobe, sought).response(),
     }
 }
 
 /// Irradiance and specular response by [`integrate`], with bounds on their errors.
 ///
-/// **Accuracy:** the bounds are at most 1e-6 of the value, or 1e-9 of what the rectangle would give at luminance 1.
+/// **Accuracy:** as sought; by default the bounds are at most 1e-6 of the value, or 1e-9 of what the rectangle would
+/// give at luminance 1.
 /// **Cost:** follows what is in sight, not the number of texels.
 pub fn textured_exact(light: &TexturedEmitter, at: &ShadingPoint, lobe: &Lobe, sought: Sought) -> BoundedResponse {
     BoundedResponse {

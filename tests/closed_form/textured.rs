@@ -143,6 +143,21 @@ fn exact_is_within_the_reference() {
 }
 
 #[test]
+fn pictures_are_as_sure_as_they_show() {
+    let mut random = Random::new(36);
+    for case in 0..1000 {
+        let (light, at, lobe) = any_case(&mut random);
+        let [exact, shown] =
+            [Sought::default(), Sought::PICTURE].map(|sought| textured_exact(&light, &at, &lobe, sought));
+        check(&format!("case {case}"), shown, exact);
+        for (part, estimate, most) in [("irradiance", shown.irradiance, PI), ("specular", shown.specular, 1.0)] {
+            let allowed = 1e-4 * estimate.value + 1e-4 * most;
+            assert!(estimate.error <= allowed, "case {case}, {part}: {estimate:?} is too wide");
+        }
+    }
+}
+
+#[test]
 fn turning_and_scaling_everything_changes_nothing() {
     let mut random = Random::new(35);
     for case in 0..1000 {
@@ -179,6 +194,9 @@ fn what_is_gathered_of_large_patterns_is_what_their_texels_are() {
             let [first, second] = halves.map(part);
             let (parts, whole) = (total(&first.0, &first.1) + total(&second.0, &second.1), total(&spans.0, &spans.1));
             assert!((parts / whole - 1.0).abs() < 1e-12, "{width} x {height}, step {step}: {parts} of {whole}");
+            let flux = pattern.flux(&first.0, &first.1);
+            let gathered = total(&first.0, &first.1);
+            assert!((flux / gathered - 1.0).abs() < 1e-12, "{width} x {height}, step {step}: {flux} of {gathered}");
             spans = if step % 3 == 0 { second } else { first };
         }
     }

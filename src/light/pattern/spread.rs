@@ -7,7 +7,10 @@ use super::Channel;
 use crate::math::interpolation::{CHEBYSHEV, Grid, NODES};
 
 /// Parts of an axis down to so many texels have their weights kept; those of smaller parts are summed when asked for.
-const KEPT: u32 = 64;
+const KEPT: u32 = 16;
+
+/// As [`KEPT`], for what is known of parts without their weights: their flux.
+const SUMMED: u32 = 4;
 
 /// A part of an axis: a run of texels, halved again and again, and at last parts of a texel.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -88,6 +91,15 @@ pub(super) struct Spread {
     weights: Vec<Grid>,
 }
 
+/// The flux of all parts of a channel that are not small.
+#[derive(Clone, Debug)]
+pub(super) struct Fluxes {
+    /// Halvings of the columns and of the rows whose parts are kept.
+    depths: [u32; 2],
+    /// ∫ L du dv, columns first.
+    fluxes: Vec<f64>,
+}
+
 /// ∫ ℓ_k over each of n equal parts of [−1, 1], for every n below twice [`KEPT`].
 static BASES: LazyLock<Vec<Vec<[f64; NODES]>>> = LazyLock::new(|| (0..2 * KEPT).map(bases).collect());
 
@@ -104,23 +116,68 @@ fn equal_parts(span: &Span) -> Cow<'static, [[f64; NODES]]> {
     }
 }
 
-/// How often an axis of `total` texels is halved before its parts have fewer than [`KEPT`].
-fn depth(total: u32) -> u32 {
-    (total / KEPT).max(1).ilog2()
+/// How often an axis of `total` texels is halved before its parts have fewer than `kept`.
+fn depth(total: u32, kept: u32) -> u32 {
+    (total / kept).max(1).ilog2()
+}
+
+/// Whether the halves of the part at i, counted from 0, are not kept.
+fn is_leaf(i: usize, depth: u32) -> bool {
+    i + 1 >= 1 << depth
+}
+
+impl Fluxes {
+    /// The flux of a channel's parts.
+    pub(super) fn new(channel: &Channel) -> Self {
+        let totals = channel.size();
+        let depths = totals.map(|total| depth(total, SUMMED));
+        let [columns, rows] = [0, 1].map(|axis| parts(totals[axis], depths[axis]));
+        let width = columns.len();
+        let mut fluxes = vec![0.0; width * rows.len()];
+        for j in (0..rows.len()).rev() {
+            for i in (0..width).rev() {
+                fluxes[j * width + i] = match (is_leaf(i, depths[0]), is_leaf(j, depths[1])) {
+                    (true, true) => summed(channel, &columns[i], &rows[j]),
+                    (false, true) => fluxes[j * width + 2 * i + 1] + fluxes[j * width + 2 * i + 2],
+                    (_, false) => fluxes[(2 * j + 1) * width + i] + fluxes[(2 * j + 2) * width + i],
+                };
+            }
+        }
+        Self { depths, fluxes }
+    }
+
+    /// ∫ L du dv over a part.
+    pub(super) fn flux(&self, channel: &Channel, columns: &Span, rows: &Span) -> f64 {
+        if columns.index < 2 << self.depths[0] && rows.index < 2 << self.depths[1] {
+            self.fluxes[(rows.index as usize - 1) * ((2 << self.depths[0]) - 1) + columns.index as usize - 1]
+        } else {
+            summed(channel, columns, rows)
+        }
+    }
+}
+
+/// The flux of a part, from its texels.
+fn summed(channel: &Channel, columns: &Span, rows: &Span) -> f64 {
+    let mut sum = 0.0;
+    for row in rows.first..rows.first + rows.count {
+        for texel in channel.row(row as usize, columns.first as usize, columns.count as usize) {
+            sum += f64::from(*texel);
+        }
+    }
+    sum * columns.length() * rows.length() / (f64::from(columns.count) * f64::from(rows.count))
 }
 
 impl Spread {
     /// The weights of a channel's parts.
     pub(super) fn new(channel: &Channel) -> Self {
         let totals = channel.size();
-        let depths = totals.map(depth);
+        let depths = totals.map(|total| depth(total, KEPT));
         let [columns, rows] = [0, 1].map(|axis| parts(totals[axis], depths[axis]));
         let mut spread = Self { depths, weights: vec![Grid::default(); columns.len() * rows.len()] };
-        let is_leaf = |i: usize, axis: usize| i + 1 >= 1 << depths[axis];
-        for j in (0..rows.len()).rev().filter(|j| is_leaf(*j, 1)) {
+        for j in (0..rows.len()).rev().filter(|j| is_leaf(*j, depths[1])) {
             for i in (0..columns.len()).rev() {
                 let at = spread.slot(i, j);
-                spread.weights[at] = if is_leaf(i, 0) {
+                spread.weights[at] = if is_leaf(i, depths[0]) {
                     gather(channel, &columns[i], &rows[j])
                 } else {
                     let halves = [2 * i + 1, 2 * i + 2].map(|half| spread.weights[spread.slot(half, j)]);
@@ -128,7 +185,7 @@ impl Spread {
                 };
             }
         }
-        for j in (0..rows.len()).rev().filter(|j| !is_leaf(*j, 1)) {
+        for j in (0..rows.len()).rev().filter(|j| !is_leaf(*j, depths[1])) {
             for i in 0..columns.len() {
                 let halves = [2 * j + 1, 2 * j + 2].map(|half| transposed(&spread.weights[spread.slot(i, half)]));
                 let at = spread.slot(i, j);

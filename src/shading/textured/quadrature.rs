@@ -18,6 +18,11 @@ pub trait Distribution {
     /// ∫ L ℓ_k ℓ_l du dv over a part, ℓ the polynomials of [`crate::math::interpolation`]. Indexed by row, then column.
     fn weights(&self, columns: &Span, rows: &Span) -> Grid;
 
+    /// ∫ L du dv over a part: the sum of its weights.
+    fn flux(&self, columns: &Span, rows: &Span) -> f64 {
+        self.weights(columns, rows).iter().flatten().sum()
+    }
+
     /// Whether L is smooth within a part.
     fn is_smooth(&self, columns: &Span, rows: &Span) -> bool;
 
@@ -32,6 +37,10 @@ impl Distribution for Channel {
 
     fn weights(&self, columns: &Span, rows: &Span) -> Grid {
         self.weights(columns, rows)
+    }
+
+    fn flux(&self, columns: &Span, rows: &Span) -> f64 {
+        self.flux(columns, rows)
     }
 
     fn is_smooth(&self, columns: &Span, rows: &Span) -> bool {
@@ -71,15 +80,25 @@ pub struct Sought {
     pub parts: usize,
 }
 
+impl Sought {
+    /// For pictures, which show no more: 1e-4 of what the light does, or 1e-5 of the most that it could.
+    pub const PICTURE: Self = Self { relative: 1e-4, absolute: 1e-5, parts: 1 << 16 };
+}
+
 impl Default for Sought {
     fn default() -> Self {
         Self { relative: 5e-7, absolute: 1e-10, parts: 1 << 20 }
     }
 }
 
-/// The error of a polynomial is taken to be that many times its last coefficients, which need not fall fast where a
-/// horizon ends the part and the density is a broken power there.
-const CAUTION: f64 = 16.0;
+/// The error of a polynomial on a rectangle is taken to be that many times its last coefficients.
+const CAUTION: f64 = 4.0;
+
+/// As [`CAUTION`], on a triangle: they need not fall fast where a horizon ends it and the density is a broken power there.
+const CAUTION_AT_HORIZON: f64 = 16.0;
+
+/// Parts that give less than this share of the error that is always small enough are not looked into.
+const NEGLIGIBLE: f64 = 1.0 / 256.0;
 
 /// A part is small enough where its half diagonal is below this share of its distance.
 const NEAREST: f64 = 0.6;
@@ -107,28 +126,31 @@ pub fn integrate<F: Fn(DVec3) -> f64>(
     weighing: &Weighing<F>,
     sought: Sought,
 ) -> Estimate {
-    let Some(view) = View::new(light, pattern, p, weighing) else { return Estimate::default() };
+    let Some(mut view) = View::new(light, pattern, p, weighing) else { return Estimate::default() };
     let absolute = sought.absolute * weighing.greatest * view.solid_angle().min(TAU * weighing.width.powi(2));
+    view.negligible = NEGLIGIBLE * absolute;
     let [columns, rows] = pattern.whole();
-    let mut parts = view.rectangle(columns, rows);
+    let mut parts = Vec::with_capacity(64);
+    view.rectangle(columns, rows, &mut parts);
     let mut looked_at = parts.len();
     loop {
-        let total = parts.iter().fold(Estimate::default(), |sum, part| sum + part.estimate);
+        let (mut total, mut worst) = (Estimate::default(), 0.0_f64);
+        for part in &parts {
+            total = total + part.estimate;
+            worst = worst.max(part.estimate.error);
+        }
         let enough = absolute.max(sought.relative * total.value);
         let mut is_done = true;
         if total.error > enough && looked_at < sought.parts {
             // Parts below their share of what is enough, or far below the worst, stay as they are for now.
-            let worst = parts.iter().map(|part| part.estimate.error).fold(0.0, f64::max);
             let threshold = (enough / parts.len() as f64).max(worst / 64.0);
             let mut next = Vec::with_capacity(2 * parts.len());
             for part in parts.drain(..) {
-                match if part.estimate.error > threshold { view.halves(&part) } else { None } {
-                    Some(halves) => {
-                        is_done = false;
-                        looked_at += 2;
-                        next.extend(halves);
-                    }
-                    None => next.push(part),
+                if part.estimate.error > threshold && view.halve(&part, &mut next) {
+                    is_done = false;
+                    looked_at += 2;
+                } else {
+                    next.push(part);
                 }
             }
             parts = next;
@@ -170,6 +192,8 @@ struct View<'a, P, F> {
     height: f64,
     /// Distance of the farthest corner.
     extent: f64,
+    /// Parts that cannot give more are not looked into.
+    negligible: f64,
 }
 
 impl<'a, P: Distribution, F: Fn(DVec3) -> f64> View<'a, P, F> {
@@ -181,7 +205,7 @@ impl<'a, P: Distribution, F: Fn(DVec3) -> f64> View<'a, P, F> {
         let depth = -light.normal.dot(nearest);
         let height = if light.two_sided { depth.abs() } else { depth };
         let (corner, row, column) = (corners[0], light.row, light.column);
-        let view = Self { pattern, weighing, corner, row, column, area: light.area(), height, extent };
+        let view = Self { pattern, weighing, corner, row, column, area: light.area(), height, extent, negligible: 0.0 };
         (height > 1e-14 * extent && view.area > 0.0).then_some(view)
     }
 
@@ -205,64 +229,74 @@ impl<'a, P: Distribution, F: Fn(DVec3) -> f64> View<'a, P, F> {
         (self.weighing.density)(x / distance) * self.height / distance.powi(3)
     }
 
-    /// What is known of the integrand within a distance of a point of the rectangle.
-    fn bound(&self, centre: DVec3, radius: f64) -> Bound {
+    /// What is known of the integrand within a distance of a point of the rectangle, in a part of that flux.
+    fn bound(&self, centre: DVec3, radius: f64, flux: f64) -> Bound {
         let distance = centre.length();
         let Weighing { greatest, peak, width, fall, .. } = *self.weighing;
         let nearest = (distance - radius).max(self.height);
         let sine = radius / distance;
         let angular_radius = if sine < 1.0 { sine.asin() } else { PI };
         let from_peak = peak.cross(centre).length().atan2(peak.dot(centre));
-        let steepness = (0.5 * (from_peak + angular_radius).min(10.0 * fall) / width).max(1.0);
-        if sine <= NEAREST && angular_radius * steepness <= WIDEST * width {
-            Bound::Smooth
-        } else {
-            let falls = (-0.5 * ((from_peak - angular_radius).max(0.0) / fall).powi(2)).exp();
-            Bound::UpTo(greatest * falls * self.height / nearest.powi(3))
+        let falls = (-0.5 * ((from_peak - angular_radius).max(0.0) / fall).powi(2)).exp();
+        let most = greatest * falls * self.height / nearest.powi(3);
+        if flux * most <= self.negligible {
+            return Bound::UpTo(most);
         }
+        let steepness = (0.5 * (from_peak + angular_radius).min(10.0 * fall) / width).max(1.0);
+        if sine <= NEAREST && angular_radius * steepness <= WIDEST * width { Bound::Smooth } else { Bound::UpTo(most) }
     }
 
-    /// What comes from a rectangle, in as many parts as the horizons make of it.
-    fn rectangle(&self, columns: Span, rows: Span) -> Vec<Part> {
+    /// Adds what comes from a rectangle, in as many parts as the horizons make of it.
+    fn rectangle(&self, columns: Span, rows: Span, parts: &mut Vec<Part>) {
         let corners = [(columns.lo, rows.lo), (columns.hi, rows.lo), (columns.hi, rows.hi), (columns.lo, rows.hi)];
         let corners = corners.map(|(u, v)| DVec2::new(u, v));
         let mut is_crossed = false;
         for normal in self.weighing.horizons {
             let heights = corners.map(|corner| self.above(normal, corner));
             if heights.iter().all(|height| *height <= 0.0) {
-                return Vec::new();
+                return;
             }
             is_crossed |= heights.iter().any(|height| *height < 0.0);
         }
         let (u, v) = (columns.at(0.0), rows.at(0.0));
         if is_crossed && self.pattern.is_smooth(&columns, &rows) {
-            return self.clipped(&corners);
+            return self.clipped(&corners, parts);
         }
-        let weights = self.pattern.weights(&columns, &rows);
-        let flux = self.area * weights.iter().flatten().sum::<f64>();
+        let flux = self.area * self.pattern.flux(&columns, &rows);
         if flux <= 0.0 {
-            return Vec::new();
+            return;
         }
         let extent = DVec2::new(columns.length() * self.row.length(), rows.length() * self.column.length());
-        let (estimate, across) = match self.bound(self.point(u, v), 0.5 * extent.length()) {
+        let (estimate, across) = match self.bound(self.point(u, v), 0.5 * extent.length(), flux) {
             Bound::UpTo(greatest) => (up_to(flux * greatest), extent.x > extent.y),
             Bound::Smooth => {
-                let values = CHEBYSHEV.nodes.map(|y| {
-                    let v = rows.at(y);
-                    CHEBYSHEV.nodes.map(|x| self.integrand(self.point(columns.at(x), v)))
-                });
+                let values = self.values(&columns, &rows);
                 let tails = tails(&values);
                 let across = tails[0] > tails[1];
                 if is_crossed {
                     let greatest = values.iter().flatten().fold(0.0, |greatest: f64, value| greatest.max(value.abs()));
                     (up_to(flux * (2.0 * greatest + tails[0] + tails[1])), extent.x > extent.y)
                 } else {
+                    let weights = self.pattern.weights(&columns, &rows);
                     let error = CAUTION * flux * (tails[0] + tails[1]);
                     (Estimate { value: self.area * product(&weights, &values), error }, across)
                 }
             }
         };
-        vec![Part { region: Region::Rectangle(columns, rows), estimate, across }]
+        parts.push(Part { region: Region::Rectangle(columns, rows), estimate, across });
+    }
+
+    /// The integrand at the nodes of a rectangle.
+    fn values(&self, columns: &Span, rows: &Span) -> Grid {
+        let nodes = &CHEBYSHEV.nodes;
+        let mut values = Grid::default();
+        for (row, y) in values.iter_mut().zip(nodes) {
+            let start = self.corner + rows.at(*y) * self.column;
+            for (value, x) in row.iter_mut().zip(nodes) {
+                *value = self.integrand(start + columns.at(*x) * self.row);
+            }
+        }
+        values
     }
 
     /// How far a point is above a horizon, which rounding cannot put on its other side.
@@ -271,14 +305,14 @@ impl<'a, P: Distribution, F: Fn(DVec3) -> f64> View<'a, P, F> {
         if above.abs() <= 1e-14 * self.extent { 0.0 } else { above }
     }
 
-    /// What comes from a convex polygon in which the pattern is smooth, as far as it is above the horizons.
-    fn clipped(&self, corners: &[DVec2]) -> Vec<Part> {
+    /// Adds what comes from a convex polygon in which the pattern is smooth, as far as it is above the horizons.
+    fn clipped(&self, corners: &[DVec2], parts: &mut Vec<Part>) {
         let mut corners = corners.to_vec();
         for normal in self.weighing.horizons {
             corners = clip(&corners, |corner| self.above(normal, corner));
         }
-        let Some((first, rest)) = corners.split_first() else { return Vec::new() };
-        rest.windows(2).filter_map(|pair| self.triangle([*first, pair[0], pair[1]])).collect()
+        let Some((first, rest)) = corners.split_first() else { return };
+        parts.extend(rest.windows(2).filter_map(|pair| self.triangle([*first, pair[0], pair[1]])));
     }
 
     /// What comes from a triangle: a square, of which one side is drawn together in the first corner.
@@ -296,7 +330,7 @@ impl<'a, P: Distribution, F: Fn(DVec3) -> f64> View<'a, P, F> {
         // Not at the corners themselves, which other texels share.
         let levels = corners.map(|corner| level(centre.lerp(corner, 0.999)));
         let greatest_level = levels.into_iter().fold(level(centre), f64::max);
-        let estimate = match self.bound(middle, radius) {
+        let estimate = match self.bound(middle, radius, 0.5 * double_area * greatest_level) {
             Bound::UpTo(greatest) => up_to(0.5 * double_area * greatest * greatest_level),
             Bound::Smooth => {
                 let values = CHEBYSHEV.nodes.map(|y| {
@@ -309,34 +343,36 @@ impl<'a, P: Distribution, F: Fn(DVec3) -> f64> View<'a, P, F> {
                 });
                 let tails = tails(&values);
                 let value = product(&even_weights(0.25 * double_area), &values);
-                Estimate { value, error: CAUTION * double_area * (tails[0] + tails[1]) }
+                Estimate { value, error: CAUTION_AT_HORIZON * double_area * (tails[0] + tails[1]) }
             }
         };
         Some(Part { region: Region::Triangle(corners), estimate, across: false })
     }
 
-    /// The halves of a part; `None` where numbers cannot tell them apart.
-    fn halves(&self, part: &Part) -> Option<Vec<Part>> {
+    /// Adds the halves of a part; `false` where numbers cannot tell them apart.
+    fn halve(&self, part: &Part, parts: &mut Vec<Part>) -> bool {
         match part.region {
             Region::Rectangle(columns, rows) => {
                 let [of_columns, of_rows] = [columns.halves(), rows.halves()];
-                let by_columns = |halves: [Span; 2]| halves.map(|half| self.rectangle(half, rows)).concat();
-                let by_rows = |halves: [Span; 2]| halves.map(|half| self.rectangle(columns, half)).concat();
-                if part.across {
-                    of_columns.map(by_columns).or_else(|| of_rows.map(by_rows))
-                } else {
-                    of_rows.map(by_rows).or_else(|| of_columns.map(by_columns))
-                }
+                let halves = match (of_columns, of_rows) {
+                    (Some(halves), of_rows) if part.across || of_rows.is_none() => halves.map(|half| (half, rows)),
+                    (_, Some(halves)) => halves.map(|half| (columns, half)),
+                    (_, None) => return false,
+                };
+                halves.into_iter().for_each(|(columns, rows)| self.rectangle(columns, rows, parts));
+                true
             }
             Region::Triangle([a, b, c]) => {
                 let length = |from: DVec2, to: DVec2| self.point(from.x, from.y).distance(self.point(to.x, to.y));
                 let turned = [[a, b, c], [b, c, a], [c, a, b]];
                 let longest = |x: &&[DVec2; 3], y: &&[DVec2; 3]| length(x[0], x[1]).total_cmp(&length(y[0], y[1]));
-                let [a, b, c] = *turned.iter().max_by(longest)?;
+                let [a, b, c] = *turned.iter().max_by(longest).unwrap_or(&[a, b, c]);
                 let middle = 0.5 * (a + b);
-                (middle != a && middle != b).then(|| {
-                    [[a, middle, c], [middle, b, c]].into_iter().filter_map(|half| self.triangle(half)).collect()
-                })
+                let is_done = middle == a || middle == b;
+                if !is_done {
+                    parts.extend([[a, middle, c], [middle, b, c]].into_iter().filter_map(|half| self.triangle(half)));
+                }
+                !is_done
             }
         }
     }
