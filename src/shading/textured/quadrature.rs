@@ -103,7 +103,7 @@ const NEGLIGIBLE: f64 = 1.0 / 256.0;
 /// A part is small enough where its half diagonal is below this share of its distance.
 const NEAREST: f64 = 0.6;
 
-/// A part is small enough where the angle to its corners is below this many widths of the density; farther than two
+/// A part is small enough where the angle to its corners is below this many widths of the density; farther than five
 /// widths from the peak, where the density falls ever more steeply, that much less.
 const WIDEST: f64 = 1.5;
 
@@ -242,7 +242,7 @@ impl<'a, P: Distribution, F: Fn(DVec3) -> f64> View<'a, P, F> {
         if flux * most <= self.negligible {
             return Bound::UpTo(most);
         }
-        let steepness = (0.5 * (from_peak + angular_radius).min(10.0 * fall) / width).max(1.0);
+        let steepness = (0.2 * (from_peak + angular_radius).min(10.0 * fall) / width).max(1.0);
         if sine <= NEAREST && angular_radius * steepness <= WIDEST * width { Bound::Smooth } else { Bound::UpTo(most) }
     }
 
