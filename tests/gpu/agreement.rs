@@ -49,16 +49,16 @@ const CLUSTERED: f64 = 0.05;
 
 #[track_caller]
 fn check(name: &str, scene: &Scene, method: Method) {
-    let difference = difference(scene, method);
-    println!("{name}, {method}: {difference}");
     let clustered = !method.takes_any_lobe() && scene.materials.iter().any(|material| !lobe_of(material).is_cosine());
     let tolerance = if clustered { CLUSTERED } else { TOLERANCE };
+    let difference = difference(scene, method, tolerance);
+    println!("{name}, {method}: {difference}");
     assert!(difference.interior <= tolerance, "{name}, {method}: {difference}");
     assert!(clustered || difference.levels <= 1, "{name}, {method}: {difference}");
     assert!(difference.crossed <= CROSSED, "{name}, {method}: {difference}");
 }
 
-fn difference(scene: &Scene, method: Method) -> Difference {
+fn difference(scene: &Scene, method: Method, tolerance: f64) -> Difference {
     let settings = Settings { size: SIZE, choice: MethodChoice::Method(method), samples: 1 };
     let film = render(scene, &settings, &Progress::default()).expect("nobody cancels");
     let view = View {
@@ -70,10 +70,10 @@ fn difference(scene: &Scene, method: Method) -> Difference {
         refine: false,
     };
     let pixels = picture(&CONTEXT, scene, &view).expect("the picture comes back");
-    compare(scene, &film, &pixels.radiance, &pixels.srgb)
+    compare(scene, &film, &pixels.radiance, &pixels.srgb, tolerance)
 }
 
-fn compare(scene: &Scene, film: &Film, radiance: &[[f32; 3]], srgb: &[[u8; 4]]) -> Difference {
+fn compare(scene: &Scene, film: &Film, radiance: &[[f32; 3]], srgb: &[[u8; 4]], tolerance: f64) -> Difference {
     let seen = Seen::new(scene);
     let on_surface = |index: usize| matches!(seen.0[index], Some((Thing::Surface(_), _)));
     let peak = (0..radiance.len())
@@ -89,7 +89,7 @@ fn compare(scene: &Scene, film: &Film, radiance: &[[f32; 3]], srgb: &[[u8; 4]]) 
         assert!(error.is_finite(), "pixel {index} is {gpu}");
         if seen.is_edge(index) {
             edges += 1.0;
-            crossed += f64::from(error > TOLERANCE);
+            crossed += f64::from(error > tolerance);
         } else {
             let levels = film.srgb()[index].iter().zip(&srgb[index]).map(|(a, b)| a.abs_diff(*b));
             difference.levels = levels.fold(difference.levels, u8::max);
