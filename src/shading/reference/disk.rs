@@ -49,7 +49,8 @@ impl Fan {
         let first = near.normalize();
         let across = along.cross(first);
         let across = if across.dot(far) < 0.0 { -across } else { across };
-        let opening = across.dot(far).atan2(first.dot(far));
+        // near × far is 2·radius·height along the chords: from the vectors it would cancel for a disk seen edge on.
+        let opening = (2.0 * light.radius * height.abs()).atan2(near.dot(far));
         Self { near, far, axes: [first, across, along], opening, radius: light.radius }
     }
 
