@@ -140,8 +140,8 @@ fn plots_show_a_curve_a_method_and_their_errors() {
         assert!(window.has(&format!("Show {method}")), "{method} is in the legend");
     }
     assert!(!window.has_any("…"), "all figures have come");
-    window.click("Show point");
-    assert!(window.session().plots.hidden.contains("point"), "switched off");
+    window.click("Show one-shot");
+    assert!(window.session().plots.hidden.contains("one-shot"), "switched off");
     window.click_role(Role::Button, "New plot");
     window.menu(&["line"]);
     assert_eq!(window.scene().plots.len(), 3, "a plot more");

@@ -9,6 +9,9 @@ use crate::editor::session::Session;
 /// Exposures that the slider offers, in steps of a factor of two.
 const EXPOSURE: std::ops::RangeInclusive<f64> = -8.0..=8.0;
 
+/// Room for every method of a scene with every shape, points.
+const ALL_METHODS: f32 = 400.0;
+
 /// Show the controls in the upper left corner of `rect`.
 pub fn show(ui: &mut Ui, rect: Rect, session: &mut Session, overlays: &mut Overlays) {
     let corner = Rect::from_min_max(rect.min + vec2(8.0, 8.0), rect.max);
@@ -30,7 +33,9 @@ pub fn show(ui: &mut Ui, rect: Rect, session: &mut Session, overlays: &mut Overl
 fn method(ui: &mut Ui, session: &mut Session) {
     let label = ui.label("Method");
     let methods = view_methods(session.scene());
-    let combo = egui::ComboBox::from_id_salt("viewport method").selected_text(session.view.method.to_string());
+    let combo = egui::ComboBox::from_id_salt("viewport method")
+        .selected_text(session.view.method.to_string())
+        .height(ALL_METHODS);
     let response = combo.show_ui(ui, |ui| {
         for method in methods {
             ui.selectable_value(&mut session.view.method, method, method.to_string());
