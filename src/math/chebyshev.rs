@@ -176,7 +176,6 @@ mod tests {
         let errors = EXPONENTS.map(|m| fit_error(m, 6, 256));
         let value = errors.iter().map(|error| 256.0 * error.value).fold(0.0, f64::max);
         let integral = errors.iter().map(|error| error.integral).fold(0.0, f64::max);
-        println!("degree 6: {value:.3}/256, its integral {:.3} %", 100.0 * integral);
         assert!(value <= 0.291, "{value}/256");
         assert!(integral <= 1e-3, "{integral} of the lobe's integral");
     }
