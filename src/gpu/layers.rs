@@ -40,7 +40,7 @@ impl LayerPass {
         gbuffer: &wgpu::BindGroup,
         (light, matte): (&LightData, bool),
         stage: usize,
-        target: &Target,
+        (target, part): (&Target, [u32; 4]),
     ) {
         let layouts = [&self.gbuffer_layout, &self.light_layout];
         let pipeline = self
@@ -48,7 +48,8 @@ impl LayerPass {
             .entry((light.responder, matte))
             .or_insert_with(|| pass::pipeline(device, &light.responder.source(matte), "layer", &layouts, &[FORMAT]));
         let group = light_group(device, &self.light_layout, &mut self.tables, (light, stage));
-        pass::run(encoder, pipeline, &[gbuffer, &group], &[&target.view]);
+        let targets = [&target.view];
+        pass::run_over(encoder, pipeline, &[gbuffer, &group], &targets, wgpu::LoadOp::Load, Some(part));
         let Some(others) = &light.other_lobes else { return };
         // Their specular response takes the place of the closed form's.
         let specular = wgpu::ColorTargetState { write_mask: wgpu::ColorWrites::GREEN, ..FORMAT.into() };
@@ -62,7 +63,7 @@ impl LayerPass {
             )
         });
         let group = light_group(device, &self.light_layout, &mut self.tables, (others, 0));
-        pass::run_over(encoder, pipeline, &[gbuffer, &group], &[&target.view], wgpu::LoadOp::Load);
+        pass::run_over(encoder, pipeline, &[gbuffer, &group], &targets, wgpu::LoadOp::Load, Some(part));
     }
 }
 
@@ -100,6 +101,8 @@ struct Layer {
     light: LightData,
     /// Stages that it has been through.
     stages: usize,
+    /// Rows that the next stage has been through.
+    rows: u32,
     target: Target,
 }
 
@@ -162,19 +165,31 @@ impl Sample {
         self.layers = kept;
         let mut spare = spare.into_iter().map(|layer| layer.target);
         let mut changed = fresh;
+        let [width, height] = wanted.seen.size();
+        let mut band_done = false;
         for light in &wanted.lit {
             let place = self.layers.iter().position(|layer| layer.light == *light).unwrap_or_else(|| {
                 let target = spare.next().unwrap_or_else(|| Target::new(device, wanted.seen.size(), FORMAT));
                 let stages = if wanted.by_stages { 0 } else { light.stages() - 1 };
-                self.layers.push(Layer { light: light.clone(), stages, target });
+                self.layers.push(Layer { light: light.clone(), stages, rows: 0, target });
                 self.layers.len() - 1
             });
             let layer = &mut self.layers[place];
-            if layer.stages < light.stages() {
-                layer_pass.draw(device, encoder, group, (light, self.matte), layer.stages, &layer.target);
+            // A first look is whole; what only refines it is done a band a call.
+            let at_once = wanted.bands == 1 || (wanted.by_stages && layer.stages == 0);
+            if layer.stages == light.stages() || (band_done && !at_once) {
+                continue;
+            }
+            let rows = if at_once { height } else { height.div_ceil(wanted.bands) }.min(height - layer.rows);
+            let part = [0, layer.rows, width, rows];
+            layer_pass.draw(device, encoder, group, (light, self.matte), layer.stages, (&layer.target, part));
+            layer.rows += rows;
+            band_done |= !at_once;
+            changed = true;
+            if layer.rows == height {
+                layer.rows = 0;
                 layer.stages += 1;
                 stats.layers += 1;
-                changed = true;
             }
         }
         changed
@@ -192,6 +207,8 @@ pub(crate) struct Wanted {
     pub(crate) matte: bool,
     /// One stage of each layer an update, rather than the last at once.
     pub(crate) by_stages: bool,
+    /// Bands that a layer's refinement is cut into, one an update; 1 does all layers at once.
+    pub(crate) bands: u32,
     /// Lights that contribute.
     pub(crate) lit: Vec<LightData>,
     /// Lights that do not, for now.

@@ -155,16 +155,18 @@ pub(crate) fn run(
     groups: &[&wgpu::BindGroup],
     targets: &[&wgpu::TextureView],
 ) {
-    run_over(encoder, pipeline, groups, targets, wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT));
+    run_over(encoder, pipeline, groups, targets, wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT), None);
 }
 
-/// Runs a pipeline on every pixel of `targets`, which hold what `load` says before.
+/// Runs a pipeline on `targets`, which hold what `load` says before: on the part `[x, y, width, height]`, or on every
+/// pixel.
 pub(crate) fn run_over(
     encoder: &mut wgpu::CommandEncoder,
     pipeline: &wgpu::RenderPipeline,
     groups: &[&wgpu::BindGroup],
     targets: &[&wgpu::TextureView],
     load: wgpu::LoadOp<wgpu::Color>,
+    part: Option<[u32; 4]>,
 ) {
     let attachments: Vec<_> = targets
         .iter()
@@ -180,6 +182,9 @@ pub(crate) fn run_over(
     let mut pass = encoder
         .begin_render_pass(&wgpu::RenderPassDescriptor { color_attachments: &attachments, ..Default::default() });
     pass.set_pipeline(pipeline);
+    if let Some([x, y, width, height]) = part {
+        pass.set_scissor_rect(x, y, width, height);
+    }
     for (index, group) in (0..).zip(groups) {
         pass.set_bind_group(index, *group, &[]);
     }

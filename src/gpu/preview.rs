@@ -38,6 +38,8 @@ pub struct Preview {
     samples: u16,
     /// Every layer has been through all its stages.
     is_refined: bool,
+    /// Bands that a layer's refinement is cut into.
+    bands: u32,
     stats: Stats,
 }
 
@@ -54,6 +56,7 @@ impl Preview {
             picture: Picture::new(device, [1, 1]),
             samples: 0,
             is_refined: false,
+            bands: 1,
             stats: Stats::default(),
         }
     }
@@ -68,7 +71,7 @@ impl Preview {
         view: &View,
     ) -> &wgpu::TextureView {
         let view = View { size: view.size.map(|side| side.max(1)), ..*view };
-        let (wanted, mix) = wanted(scene, &view, [0.0, 0.0]);
+        let (wanted, mix) = wanted(scene, &view, [0.0, 0.0], self.bands);
         let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         let passes = (&self.gbuffer_pass, &mut self.layer_pass);
         let redone = self.centred.update(device, &mut encoder, passes, &wanted, &mut self.stats);
@@ -79,18 +82,21 @@ impl Preview {
         if redone || self.mix.as_ref() != Some(&mix) {
             self.samples = 0;
         }
-        let before = self.samples;
-        if before == 0 {
+        let mut worked = self.samples == 0;
+        if worked {
             self.accumulate(device, &mut encoder, &mix, false);
         } else if view.refine && !self.is_converged() {
             let jitter = jitter(self.samples);
             let wanted = Wanted { seen: Seen::new(scene, &view, jitter), by_stages: false, ..wanted };
             let passes = (&self.gbuffer_pass, &mut self.layer_pass);
             self.jittered.update(device, &mut encoder, passes, &wanted, &mut self.stats);
-            self.accumulate(device, &mut encoder, &mix, true);
+            if self.jittered.is_refined(&wanted.lit) {
+                self.accumulate(device, &mut encoder, &mix, true);
+            }
+            worked = true;
         }
         self.mix = Some(mix);
-        if self.samples != before {
+        if worked {
             queue.submit([encoder.finish()]);
         }
         &self.picture.picture().view
@@ -101,6 +107,12 @@ impl Preview {
         self.samples += 1;
         self.composite_pass.accumulate(device, encoder, sample, mix, self.samples, &mut self.picture);
         self.stats.composites += 1;
+    }
+
+    /// Cuts the refinement of a layer into that many bands, one a call, so that no call holds the device for long. With
+    /// 1, as at first, a call does a stage or a sample of all layers.
+    pub fn refine_in_bands(&mut self, bands: u32) {
+        self.bands = bands.max(1);
     }
 
     /// How often each step was done.
@@ -149,7 +161,7 @@ fn lobes(scene: &Scene, method: Method) -> Vec<Lobe> {
 }
 
 /// What the layers are to be, and how they are mixed.
-fn wanted(scene: &Scene, view: &View, jitter: [f32; 2]) -> (Wanted, Mix) {
+fn wanted(scene: &Scene, view: &View, jitter: [f32; 2], bands: u32) -> (Wanted, Mix) {
     let mut mixed = Vec::new();
     let matte = scene.materials.iter().all(|material| material.specular == DVec3::ZERO);
     let mut wanted = Wanted {
@@ -157,6 +169,7 @@ fn wanted(scene: &Scene, view: &View, jitter: [f32; 2]) -> (Wanted, Mix) {
         lobes: lobes(scene, view.method),
         matte,
         by_stages: true,
+        bands,
         lit: Vec::new(),
         dark: Vec::new(),
     };

@@ -303,7 +303,7 @@ fn pane(scene: Scene, size: Vec2) -> Harness<'static, Pane> {
     viewport.set_frame_budget(Duration::MAX);
     let renderer = WgpuTestRenderer::from_render_state(render_state);
     let builder: HarnessBuilder<Pane> =
-        Harness::builder().with_size(size).with_options(options()).with_max_steps(64).renderer(renderer);
+        Harness::builder().with_size(size).with_options(options()).with_max_steps(1024).renderer(renderer);
     builder.build_ui_state(
         |ui, pane: &mut Pane| {
             theme::install(ui.ctx());

@@ -55,7 +55,7 @@ impl Window {
         let open = text.map(|_| path);
         let harness = Harness::builder()
             .with_size(vec2(1280.0, 800.0))
-            .with_max_steps(256)
+            .with_max_steps(1024)
             .with_step_dt(1.0 / 30.0)
             .with_options(options())
             .wgpu()

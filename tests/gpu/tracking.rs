@@ -199,6 +199,25 @@ fn a_still_picture_is_refined_and_then_left_alone() {
 }
 
 #[test]
+fn refinement_in_bands_ends_in_the_same_picture() {
+    let refined = |bands| {
+        let mut bench = Bench::new(scene());
+        bench.view.refine = true;
+        bench.preview.refine_in_bands(bands);
+        let mut calls = 0;
+        while !bench.preview.is_converged() {
+            bench.render();
+            calls += 1;
+            assert!(calls <= 1000, "the picture does not converge");
+        }
+        (bench.pixels().radiance, calls)
+    };
+    let ((whole, calls), (banded, more_calls)) = (refined(1), refined(5));
+    assert_eq!(whole, banded, "to the last bit");
+    assert_eq!((calls, more_calls), (8, 1 + 7 * 3 * 5), "a sample a call; a band of one of three layers a call");
+}
+
+#[test]
 fn more_lights_than_a_batch_add_up() {
     let mut bench = Bench::new(scene());
     bench.scene.lights.truncate(1);

@@ -12,6 +12,10 @@ use crate::scene::Scene;
 
 /// A frame may take this long while something is dragged, before resolution is lowered.
 const FRAME_BUDGET: Duration = Duration::from_millis(40);
+/// A band of refinement may take this long: a click waits for no more.
+const REFINE_BUDGET: Duration = Duration::from_millis(80);
+/// Bands of a layer, at most.
+const MOST_BANDS: u32 = 256;
 /// Resolutions while dragging, as shares of the pane's: each halves the number of pixels.
 const SCALES: [f32; 5] = [1.0, 0.7, 0.5, 0.35, 0.25];
 
@@ -25,6 +29,8 @@ pub struct Picture {
     texture: Option<(wgpu::TextureView, TextureId)>,
     pace: Pace,
     clock: Clock,
+    /// Bands that refinement is cut into, so that each takes about [`REFINE_BUDGET`].
+    bands: u32,
 }
 
 impl Picture {
@@ -36,6 +42,7 @@ impl Picture {
             texture: None,
             pace: Pace::new(FRAME_BUDGET),
             clock: Clock::default(),
+            bands: 1,
         }
     }
 
@@ -48,16 +55,24 @@ impl Picture {
     /// shaded, and a picture that is still refines a little with each call.
     pub fn render(&mut self, scene: &Scene, view: &View, dragging: bool) -> TextureId {
         let RenderState { device, queue, renderer, .. } = &self.render_state;
-        // A failed poll means a lost device; then there is nothing to learn, and eframe reports it.
-        let polled = device.poll(wgpu::PollType::Poll).is_ok();
+        // What refines waits until the device is free, so that the window never waits for more than a band of it.
+        let waits = !dragging && self.clock.is_running();
+        let wait = wgpu::PollType::Wait { submission_index: None, timeout: Some(REFINE_BUDGET) };
+        // A poll fails where the work takes longer, or the device was lost, which eframe reports.
+        let polled = device.poll(if waits { wait } else { wgpu::PollType::Poll }).is_ok();
         match self.clock.read().filter(|_| polled) {
             Some(cost) if dragging => self.pace.learn(cost),
-            _ if !dragging => self.pace.rest(),
+            cost if !dragging => {
+                self.pace.rest();
+                self.bands = cost.map_or(self.bands, |cost| bands_after(self.bands, cost));
+                self.preview.refine_in_bands(self.bands);
+            }
             _ => {}
         }
         let limit = device.limits().max_texture_dimension_2d;
         let scale = if dragging { self.pace.scale() } else { 1.0 };
-        let view = View { size: view.size.map(|side| scaled(side, scale).clamp(1, limit)), ..*view };
+        let size = view.size.map(|side| scaled(side, scale).clamp(1, limit));
+        let view = View { size, refine: view.refine && !self.clock.is_running(), ..*view };
         let before = self.preview.stats();
         let target = self.preview.render(device, queue, scene, &view).clone();
         if self.preview.stats() != before {
@@ -94,6 +109,20 @@ impl Drop for Picture {
         if let Some((_, id)) = &self.texture {
             self.render_state.renderer.write().free_texture(id);
         }
+    }
+}
+
+/// Bands for the next refinement, where one of `bands` took `cost`: as many more as it was too long, or a quarter,
+/// because a first look that makes pipelines too costs far more than what follows.
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 1 and the most bands")]
+fn bands_after(bands: u32, cost: Duration) -> u32 {
+    let share = cost.as_secs_f64() / REFINE_BUDGET.as_secs_f64();
+    if share > 1.0 {
+        (f64::from(bands) * share).ceil().min(f64::from(MOST_BANDS)) as u32
+    } else if share < 0.25 {
+        bands.div_ceil(4)
+    } else {
+        bands
     }
 }
 
@@ -163,12 +192,14 @@ impl Pace {
 #[derive(Debug, Default)]
 struct Clock {
     nanos: Arc<AtomicU64>,
+    is_running: bool,
 }
 
 impl Clock {
     /// Measure the work handed in last.
     fn start(&mut self, queue: &wgpu::Queue) {
         self.nanos = Arc::default();
+        self.is_running = true;
         let (nanos, start) = (Arc::clone(&self.nanos), Instant::now());
         queue.on_submitted_work_done(move || {
             let elapsed = u64::try_from(start.elapsed().as_nanos()).unwrap_or(u64::MAX).max(1);
@@ -176,9 +207,15 @@ impl Clock {
         });
     }
 
+    /// Whether the work handed in last is not known to be done.
+    fn is_running(&self) -> bool {
+        self.is_running
+    }
+
     /// How long the work took, once, when it is done.
-    fn read(&self) -> Option<Duration> {
+    fn read(&mut self) -> Option<Duration> {
         let nanos = self.nanos.swap(0, Ordering::Relaxed);
+        self.is_running &= nanos == 0;
         (nanos > 0).then(|| Duration::from_nanos(nanos))
     }
 }
@@ -204,6 +241,20 @@ mod tests {
         assert_eq!(after_frames(&mut pace, 20, 0.0, 100.0), 0.5, "25 ms are within the budget");
         assert_eq!(after_frames(&mut pace, 20, 0.0, 5000.0), 0.25, "no less than a quarter");
         assert_eq!(after_frames(&mut pace, 20, 0.0, 5.0), 1.0, "all of it");
+    }
+
+    #[test]
+    fn refinement_is_cut_until_a_band_is_short_and_no_finer() {
+        let mut bands = 1;
+        for _ in 0..10 {
+            bands = bands_after(bands, Duration::from_secs(8) / bands);
+        }
+        assert_eq!(bands, 100, "8 s in bands of 80 ms");
+        for _ in 0..10 {
+            bands = bands_after(bands, Duration::from_millis(10) / bands);
+        }
+        assert_eq!(bands, 1, "short work at once");
+        assert_eq!(bands_after(1, Duration::from_secs(1000)), MOST_BANDS, "no more than that");
     }
 
     #[test]

@@ -1,4 +1,5 @@
 // A linear light of unit intensity per metre, or a tube of unit luminance.
+// One file, though long: every method of a line, tubes too, shares its frame, its clipping and its lobe tables.
 //
 // Everything happens in the frame of the foot of the perpendicular from p to the light's line, as in `shading::line`:
 // the light is the points foot + s·axis with s from a to b, at the distances √(d² + s²), d = ‖foot‖. A tube of
