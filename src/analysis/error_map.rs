@@ -232,10 +232,11 @@ mod tests {
 
     #[test]
     fn it_is_the_difference_of_two_pictures() {
-        use crate::render::{Settings, render};
+        use crate::render::{Settings, Shadows, render};
         let scene = crate::scene::first_light();
         let film = |method| {
-            let settings = Settings { size: [48, 27], choice: MethodChoice::Method(method), samples: 1 };
+            let settings =
+                Settings { size: [48, 27], choice: MethodChoice::Method(method), samples: 1, shadows: Shadows::None };
             render(&scene, &settings, &Progress::default()).unwrap()
         };
         let (point, exact) = (film(Method::Point), film(Method::Exact));

@@ -7,7 +7,7 @@ use anyhow::bail;
 use super::size::Size;
 use super::{Outcome, files, progress};
 use crate::export;
-use crate::render::{Film, MethodChoice, Settings, render};
+use crate::render::{Film, MethodChoice, Settings, Shadows, render};
 use crate::scene::Scene;
 
 /// Most rays a pixel.
@@ -59,7 +59,8 @@ pub(super) fn run(args: &Args) -> anyhow::Result<Outcome> {
     let format = files::format(&args.output, &[("png", Format::Png), ("exr", Format::Exr)])?;
     let scene = files::load(&args.scene)?;
     files::check_writable(&args.output)?;
-    let settings = Settings { size: args.size.0, choice: args.method, samples: args.samples };
+    let settings =
+        Settings { size: args.size.0, choice: args.method, samples: args.samples, shadows: Shadows::default() };
     let film = match args.renderer {
         Renderer::Cpu => on_cpu(&scene, &settings)?,
         Renderer::Gpu => Some(on_gpu(&scene, &settings)?),

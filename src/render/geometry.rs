@@ -1,17 +1,21 @@
 //! What of a scene a ray meets first.
 
+use std::sync::Arc;
+
 use glam::DVec3;
 
 use super::emitters::{PlacedEmitter, distant_luminance, intersect_emitter};
 use crate::light::Emitter;
 use crate::scene::Scene;
 use crate::shading::ShadingPoint;
-use crate::surface::Placed;
+use crate::visibility::{Objects, Structure};
 
 /// The surfaces of a scene and its visible emitters, prepared for rays.
 #[derive(Clone, Debug)]
 pub struct Geometry {
-    surfaces: Vec<(Placed, Option<usize>)>,
+    objects: Arc<Objects>,
+    /// Of each surface.
+    materials: Vec<Option<usize>>,
     emitters: Vec<(usize, PlacedEmitter, DVec3)>,
     /// Caps and skies, with their weights.
     distant: Vec<(Emitter, DVec3)>,
@@ -50,14 +54,17 @@ impl Seen {
 impl Geometry {
     /// All surfaces of the scene, and those of its lights that have an area and are not muted.
     pub fn new(scene: &Scene) -> Self {
-        let surfaces = scene.surfaces.iter().map(|surface| {
-            let material = scene.materials.iter().position(|material| material.name == surface.material);
-            (Placed::new(surface), material)
-        });
+        Self::with_structure(scene, Structure::default())
+    }
+
+    /// The same, found by this structure.
+    pub fn with_structure(scene: &Scene, structure: Structure) -> Self {
+        let material = |name: &String| scene.materials.iter().position(|material| material.name == *name);
         let emitters = scene.lights.iter().enumerate().filter(|(_, light)| !light.muted);
         let distant = emitters.clone().map(|(_, light)| (light.emitter(), light.weight()));
         Self {
-            surfaces: surfaces.collect(),
+            objects: Arc::new(Objects::new(&scene.surfaces, structure)),
+            materials: scene.surfaces.iter().map(|surface| material(&surface.material)).collect(),
             emitters: emitters
                 .filter_map(|(i, light)| Some((i, PlacedEmitter::of_light(light)?, light.weight())))
                 .collect(),
@@ -67,7 +74,12 @@ impl Geometry {
 
     /// Index of the material of a surface.
     pub fn material(&self, surface: usize) -> Option<usize> {
-        self.surfaces.get(surface)?.1
+        *self.materials.get(surface)?
+    }
+
+    /// The surfaces, as what casts shadows.
+    pub fn objects(&self) -> &Arc<Objects> {
+        &self.objects
     }
 
     /// Radiance of a point of a light's own surface, cd/m².
@@ -83,14 +95,10 @@ impl Geometry {
 
     /// The nearest thing in front of `origin`; of things equally near, a surface, then the first.
     pub fn nearest(&self, origin: DVec3, direction: DVec3) -> Option<Seen> {
-        let mut nearest: Option<Seen> = None;
-        for (i, (placed, _)) in self.surfaces.iter().enumerate() {
-            if let Some(hit) = placed.intersect(origin, direction)
-                && nearest.is_none_or(|seen| hit.t < seen.t)
-            {
-                nearest = Some(Seen { t: hit.t, p: hit.p, n: hit.n, thing: Thing::Surface(i) });
-            }
-        }
+        let mut nearest = self.objects.nearest(origin, direction).map(|(object, hit)| {
+            let thing = Thing::Surface(self.objects.surface_of(object));
+            Seen { t: hit.t, p: hit.p, n: hit.n, thing }
+        });
         for (i, emitter, _) in &self.emitters {
             if let Some(t) = intersect_emitter(emitter, origin, direction)
                 && nearest.is_none_or(|seen| t < seen.t)

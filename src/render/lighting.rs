@@ -2,17 +2,23 @@
 
 use std::f64::consts::FRAC_1_PI;
 
+use std::sync::Arc;
+
 use glam::DVec3;
 
 use super::MethodChoice;
+use super::shadow::shadowed_response;
 use crate::scene::Scene;
 use crate::shading::{Lobe, Prepared, Response, ShadingPoint};
 use crate::surface::{Material, ReflectionModel};
+use crate::visibility::Objects;
 
 /// The parts of a scene's lights, each with its method and weight.
 #[derive(Clone, Debug)]
 pub struct Lighting {
     lights: Vec<Lit>,
+    /// What casts shadows.
+    objects: Option<Arc<Objects>>,
 }
 
 #[derive(Clone, Debug)]
@@ -39,27 +45,36 @@ pub struct Outgoing {
 }
 
 impl Lighting {
-    /// All lights of the scene, in its order.
+    /// All lights of the scene, in its order, without shadows.
     pub fn new(scene: &Scene, choice: MethodChoice) -> Self {
         let lit = scene.lights.iter().flat_map(|light| {
             let method = choice.for_shape(&light.shape);
             let parts = light.parts().into_iter();
             parts.map(move |(emitter, weight)| Lit { light: Prepared::new(&emitter, method), weight })
         });
-        Self { lights: lit.collect() }
+        Self { lights: lit.collect(), objects: None }
+    }
+
+    /// The same with the shadows that objects cast.
+    pub fn with_shadows(self, objects: &Arc<Objects>) -> Self {
+        Self { objects: Some(Arc::clone(objects)), ..self }
     }
 
     /// The same for pictures; see [`Prepared::for_pictures`].
     pub fn for_pictures(self) -> Self {
-        let lights = self.lights.into_iter().map(|Lit { light, weight }| Lit { light: light.for_pictures(), weight });
-        Self { lights: lights.collect() }
+        let Self { lights, objects } = self;
+        let lights = lights.into_iter().map(|Lit { light, weight }| Lit { light: light.for_pictures(), weight });
+        Self { lights: lights.collect(), objects }
     }
 
     /// L_out = Σ weight·(k_d/π·E + k_s·S) over the lights, with their unit responses E and S.
     pub fn outgoing(&self, reflection: &Reflection, at: &ShadingPoint) -> Outgoing {
         let mut sum = Outgoing::default();
         for Lit { light, weight } in self.lights.iter().filter(|lit| lit.weight != DVec3::ZERO) {
-            let Response { irradiance, specular } = light.respond(at, &reflection.lobe);
+            let Response { irradiance, specular } = match &self.objects {
+                Some(objects) => shadowed_response(objects, light, at, &reflection.lobe),
+                None => light.respond(at, &reflection.lobe),
+            };
             sum.irradiance += irradiance * weight;
             sum.radiance += weight * (FRAC_1_PI * irradiance * reflection.diffuse + specular * reflection.specular);
         }

@@ -9,6 +9,7 @@ pub mod false_colour;
 mod film;
 mod geometry;
 mod lighting;
+mod shadow;
 mod tone;
 
 pub use choice::MethodChoice;
@@ -24,6 +25,7 @@ use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 
 use crate::scene::{Camera, Scene};
+use crate::visibility::Structure;
 
 /// Edge of the square of pixels that is one piece of work.
 const TILE: u32 = 32;
@@ -44,6 +46,23 @@ pub struct Settings {
     /// Most rays a pixel, at least 1; a single one goes through the pixel's centre. Where nothing changes across a
     /// pixel, four are used.
     pub samples: u32,
+    /// Whether surfaces cast shadows, and how what casts them is found.
+    pub shadows: Shadows,
+}
+
+/// Whether surfaces cast shadows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shadows {
+    /// Every light reaches everything.
+    None,
+    /// They do; what casts them is found by this structure.
+    Cast(Structure),
+}
+
+impl Default for Shadows {
+    fn default() -> Self {
+        Self::Cast(Structure::default())
+    }
 }
 
 /// How far the work is, and whether to stop; shared between threads.
@@ -77,9 +96,10 @@ impl Progress {
 
 /// The picture of a scene; none when cancelled.
 pub fn render(scene: &Scene, settings: &Settings, progress: &Progress) -> Option<Film> {
+    let (geometry, lighting) = prepare(scene, settings.choice, settings.shadows);
     let view = View {
-        geometry: Geometry::new(scene),
-        lighting: Lighting::new(scene, settings.choice).for_pictures(),
+        geometry,
+        lighting: lighting.for_pictures(),
         reflections: scene.materials.iter().map(Reflection::new).collect(),
         camera: scene.camera,
         size: DVec2::from(settings.size.map(f64::from)),
@@ -101,6 +121,19 @@ pub fn render(scene: &Scene, settings: &Settings, progress: &Progress) -> Option
         film.put_tile([x, y], TILE.min(width - x), &pixels);
     }
     Some(film)
+}
+
+/// A scene's surfaces and lights, prepared for rays and shading.
+pub fn prepare(scene: &Scene, choice: MethodChoice, shadows: Shadows) -> (Geometry, Lighting) {
+    let lighting = Lighting::new(scene, choice);
+    match shadows {
+        Shadows::None => (Geometry::new(scene), lighting),
+        Shadows::Cast(structure) => {
+            let geometry = Geometry::with_structure(scene, structure);
+            let lighting = lighting.with_shadows(geometry.objects());
+            (geometry, lighting)
+        }
+    }
 }
 
 /// One pixel: radiance, and what a display shows of it.

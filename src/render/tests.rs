@@ -42,7 +42,7 @@ fn furnace(illuminance: f64, diffuse: DVec3) -> Scene {
 }
 
 fn picture(scene: &Scene, samples: u32) -> Film {
-    let settings = Settings { size: SIZE, choice: MethodChoice::default(), samples };
+    let settings = Settings { size: SIZE, choice: MethodChoice::default(), samples, shadows: Shadows::default() };
     render(scene, &settings, &Progress::default()).unwrap()
 }
 
@@ -99,7 +99,7 @@ fn the_picture_does_not_depend_on_the_number_of_threads() {
 fn a_cancelled_picture_is_none() {
     let progress = Progress::default();
     progress.cancel();
-    let settings = Settings { size: SIZE, choice: MethodChoice::default(), samples: 1 };
+    let settings = Settings { size: SIZE, choice: MethodChoice::default(), samples: 1, shadows: Shadows::default() };
     assert_eq!(render(&furnace(1.0, DVec3::ONE), &settings, &progress), None, "cancelled before it began");
     assert_eq!(progress.done(), 0, "nothing was done");
 }
@@ -107,7 +107,7 @@ fn a_cancelled_picture_is_none() {
 #[test]
 fn progress_counts_every_pixel() {
     let progress = Progress::default();
-    let settings = Settings { size: SIZE, choice: MethodChoice::default(), samples: 1 };
+    let settings = Settings { size: SIZE, choice: MethodChoice::default(), samples: 1, shadows: Shadows::default() };
     assert!(render(&furnace(1.0, DVec3::ONE), &settings, &progress).is_some(), "not cancelled");
     assert_eq!(progress.done(), 70 * 50, "all pixels");
 }

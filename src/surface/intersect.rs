@@ -8,7 +8,7 @@
 
 use glam::{DVec2, DVec3};
 
-use super::Shape;
+use super::{Primitive, Triangle};
 
 /// Distance below which a point counts as on a surface, relative to the sizes involved.
 const ON_SURFACE: f64 = 1e-10;
@@ -42,23 +42,23 @@ struct Inside {
     exit: Crossing,
 }
 
-/// The nearest hit of a ray on a shape in its own frame; `d` has any length.
-pub(super) fn intersect(shape: &Shape, o: DVec3, d: DVec3) -> Option<LocalHit> {
-    match *shape {
-        Shape::Plane {} => flat(o, d, |_| true),
-        Shape::Square { size } => flat(o, d, |p| p.abs().cmple(0.5 * size).all()),
-        Shape::Disk { radius } => flat(o, d, |p| p.length() <= radius),
-        Shape::Sphere { radius } => {
+/// The nearest hit of a ray on a primitive in its own frame; `d` has any length.
+pub(super) fn intersect(primitive: &Primitive, o: DVec3, d: DVec3) -> Option<LocalHit> {
+    match *primitive {
+        Primitive::Plane => flat(o, d, |_| true),
+        Primitive::Square { size } => flat(o, d, |p| p.abs().cmple(0.5 * size).all()),
+        Primitive::Disk { radius } => flat(o, d, |p| p.length() <= radius),
+        Primitive::Sphere { radius } => {
             let crossing = nearest(ball(o, d, radius)?, o, d, radius)?;
             let p = (o + crossing.t * d).normalize_or(DVec3::Z) * radius;
             Some(LocalHit { t: crossing.t, p, n: p })
         }
-        Shape::Box { size } => {
+        Primitive::Box { size } => {
             let half = 0.5 * size;
             let inside = slab(o, d, half, 0)?.and(slab(o, d, half, 1)?)?.and(slab(o, d, half, 2)?)?;
             solid(inside, o, d, half.max_element(), |p| (p, p))
         }
-        Shape::Cylinder { radius, height } => {
+        Primitive::Cylinder { radius, height } => {
             let half = DVec3::new(radius, radius, 0.5 * height);
             let inside = tube(o, d, radius)?.and(slab(o, d, half, 2)?)?;
             solid(inside, o, d, half.max_element(), |p| {
@@ -66,7 +66,7 @@ pub(super) fn intersect(shape: &Shape, o: DVec3, d: DVec3) -> Option<LocalHit> {
                 ((across * radius).extend(p.z), across.extend(0.0))
             })
         }
-        Shape::Cone { radius, height } => {
+        Primitive::Cone { radius, height } => {
             let half = DVec3::new(radius, radius, 0.5 * height);
             let inside = nap(o, d, radius, height)?.and(slab(o, d, half, 2)?)?;
             let slope = radius / height;
@@ -75,7 +75,25 @@ pub(super) fn intersect(shape: &Shape, o: DVec3, d: DVec3) -> Option<LocalHit> {
                 ((across * (slope * (half.z - p.z))).extend(p.z), across.extend(slope))
             })
         }
+        Primitive::Triangle(ref triangle) => triangle_hit(triangle, o, d),
+        Primitive::Patch(_) => None,
     }
+}
+
+/// A hit on a triangle, whose plane does not hold the origin.
+fn triangle_hit(triangle: &Triangle, o: DVec3, d: DVec3) -> Option<LocalHit> {
+    let [a, b, c] = triangle.corners.map(|corner| corner - o);
+    let n = (b - a).cross(c - a);
+    let height = a.dot(n);
+    if height.abs() <= ON_SURFACE * n.length() * a.length().max(b.length()).max(c.length()) {
+        return None;
+    }
+    // Twice the areas that the ray cuts off, seen along it.
+    let [u, v, w] = [d.dot(b.cross(c)), d.dot(c.cross(a)), d.dot(a.cross(b))];
+    let within = (u >= 0.0 && v >= 0.0 && w >= 0.0) || (u <= 0.0 && v <= 0.0 && w <= 0.0);
+    let t = height / d.dot(n);
+    let n = triangle.normals.map_or(n, |[n_a, n_b, n_c]| u.abs() * n_a + v.abs() * n_b + w.abs() * n_c);
+    (within && t > 0.0 && t.is_finite()).then(|| LocalHit { t, p: o + t * d, n })
 }
 
 impl Inside {

@@ -2,10 +2,12 @@
 
 mod intersect;
 mod material;
+mod primitive;
 mod ray;
 mod shape;
 
 pub use material::{Material, ReflectionModel};
+pub use primitive::{Patch, Primitive, Triangle};
 pub use ray::{Bounds, Hit, Placed};
 pub use shape::Shape;
 

@@ -1,16 +1,24 @@
 //! Surfaces placed in the world, and rays against them.
 
+use std::sync::Arc;
+
 use glam::{DAffine3, DMat3, DVec3};
 
 use super::intersect::intersect;
-use super::{Shape, Surface};
+use super::{Primitive, Surface};
 
-/// A surface placed in the world, prepared for rays.
+/// A primitive placed in the world, prepared for rays.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Placed {
-    shape: Shape,
-    world_from_surface: DAffine3,
-    surface_from_world: DAffine3,
+    primitive: Primitive,
+    frame: Arc<Frame>,
+}
+
+/// The frame of a primitive.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Frame {
+    world_from_local: DAffine3,
+    local_from_world: DAffine3,
     world_from_normal: DMat3,
 }
 
@@ -35,16 +43,32 @@ pub struct Bounds {
 }
 
 impl Placed {
-    /// The surface in the world.
-    pub fn new(surface: &Surface) -> Self {
-        let world_from_surface = surface.world_from_surface();
-        let surface_from_world = world_from_surface.inverse();
-        Self {
-            shape: surface.shape.clone(),
-            world_from_surface,
-            surface_from_world,
-            world_from_normal: surface_from_world.matrix3.transpose(),
-        }
+    /// The primitives of a surface, in the world.
+    pub fn parts(surface: &Surface) -> Vec<Self> {
+        vec![Self::new(surface)]
+    }
+
+    fn new(surface: &Surface) -> Self {
+        let world_from_local = surface.world_from_surface();
+        let local_from_world = world_from_local.inverse();
+        let world_from_normal = local_from_world.matrix3.transpose();
+        let frame = Arc::new(Frame { world_from_local, local_from_world, world_from_normal });
+        Self { primitive: surface.shape.primitive(), frame }
+    }
+
+    /// The primitive in its own frame.
+    pub fn primitive(&self) -> &Primitive {
+        &self.primitive
+    }
+
+    /// From the primitive's own frame to the world.
+    pub fn world_from_local(&self) -> &DAffine3 {
+        &self.frame.world_from_local
+    }
+
+    /// From the world to the primitive's own frame.
+    pub fn local_from_world(&self) -> &DAffine3 {
+        &self.frame.local_from_world
     }
 
     /// The nearest hit in front of `origin`.
@@ -53,36 +77,59 @@ impl Placed {
     /// transpose, so that non-uniform and negative scales hold. **Domain:** a flat face on which the origin lies is
     /// not hit, a round one only again at its far side: see `surface::intersect`. A scale with a zero is never hit.
     pub fn intersect(&self, origin: DVec3, direction: DVec3) -> Option<Hit> {
-        let o = self.surface_from_world.transform_point3(origin);
-        let d = self.surface_from_world.transform_vector3(direction);
-        let hit = intersect(&self.shape, o, d)?;
+        let o = self.frame.local_from_world.transform_point3(origin);
+        let d = self.frame.local_from_world.transform_vector3(direction);
+        let hit = intersect(&self.primitive, o, d)?;
         Some(Hit {
             t: hit.t,
-            p: self.world_from_surface.transform_point3(hit.p),
-            n: (self.world_from_normal * hit.n).try_normalize()?,
+            p: self.frame.world_from_local.transform_point3(hit.p),
+            n: (self.frame.world_from_normal * hit.n).try_normalize()?,
         })
     }
 
-    /// The smallest box about a box about the shape; none for the infinite plane.
+    /// A box about the primitive; none for the infinite plane.
     pub fn bounds(&self) -> Option<Bounds> {
-        let half = half_extent(&self.shape)?;
-        let m = self.world_from_surface.matrix3;
+        let half = match &self.primitive {
+            Primitive::Plane => return None,
+            Primitive::Triangle(triangle) => return Some(Bounds::about(&triangle.corners)),
+            Primitive::Patch(patch) => {
+                return Some(Bounds::about(
+                    &patch.control_points.map(|p| self.frame.world_from_local.transform_point3(p)),
+                ));
+            }
+            &Primitive::Sphere { radius } => DVec3::splat(radius),
+            &Primitive::Box { size } => 0.5 * size,
+            &Primitive::Square { size } => 0.5 * size.extend(0.0),
+            &Primitive::Disk { radius } => DVec3::new(radius, radius, 0.0),
+            &Primitive::Cylinder { radius, height } | &Primitive::Cone { radius, height } => {
+                DVec3::new(radius, radius, 0.5 * height)
+            }
+        };
+        let m = self.frame.world_from_local.matrix3;
         let reach = m.x_axis.abs() * half.x + m.y_axis.abs() * half.y + m.z_axis.abs() * half.z;
-        let center = self.world_from_surface.translation;
+        let center = self.frame.world_from_local.translation;
         Some(Bounds { min: center - reach, max: center + reach })
     }
 }
 
-/// Half the edges of the box about a shape in its own frame; none for the infinite plane.
-fn half_extent(shape: &Shape) -> Option<DVec3> {
-    Some(match *shape {
-        Shape::Plane {} => return None,
-        Shape::Sphere { radius } => DVec3::splat(radius),
-        Shape::Box { size } => 0.5 * size,
-        Shape::Square { size } => 0.5 * size.extend(0.0),
-        Shape::Disk { radius } => DVec3::new(radius, radius, 0.0),
-        Shape::Cylinder { radius, height } | Shape::Cone { radius, height } => DVec3::new(radius, radius, 0.5 * height),
-    })
+impl Bounds {
+    /// Of nothing.
+    pub const EMPTY: Self = Self { min: DVec3::INFINITY, max: DVec3::NEG_INFINITY };
+
+    /// The box about points.
+    pub fn about(points: &[DVec3]) -> Self {
+        points.iter().fold(Self::EMPTY, |bounds, &p| Self { min: bounds.min.min(p), max: bounds.max.max(p) })
+    }
+
+    /// The box about two.
+    pub fn union(self, other: Self) -> Self {
+        Self { min: self.min.min(other.min), max: self.max.max(other.max) }
+    }
+
+    /// Its middle.
+    pub fn center(&self) -> DVec3 {
+        0.5 * (self.min + self.max)
+    }
 }
 
 #[cfg(test)]
@@ -91,6 +138,7 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
+    use crate::surface::Shape;
 
     fn surface(shape: Shape, position: DVec3, rotation_deg: DVec3, scale: DVec3) -> Surface {
         Surface { name: "s".to_owned(), material: "m".to_owned(), position, rotation_deg, scale, shape }
@@ -128,11 +176,10 @@ mod tests {
     }
 
     /// First change of sign of the implicit function along the ray, by steps and bisection.
-    fn march(placed: &Placed, origin: DVec3, direction: DVec3) -> Option<f64> {
+    fn march(shape: &Shape, placed: &Placed, origin: DVec3, direction: DVec3) -> Option<f64> {
         const STEPS: u32 = 20_000;
         const FAR: f64 = 20.0;
-        let value =
-            |t: f64| implicit(&placed.shape, placed.surface_from_world.transform_point3(origin + t * direction));
+        let value = |t: f64| implicit(shape, placed.frame.local_from_world.transform_point3(origin + t * direction));
         let outside = value(0.0) > 0.0;
         let step = FAR / f64::from(STEPS);
         let i = (1..=STEPS).find(|&i| (value(f64::from(i) * step) > 0.0) != outside)?;
@@ -164,15 +211,15 @@ mod tests {
             let shape = solids()[solid].clone();
             let placed = Placed::new(&surface(shape.clone(), position, rotation, scale));
             let direction = (position + aim - origin).normalize();
-            let (hit, marched) = (placed.intersect(origin, direction), march(&placed, origin, direction));
+            let (hit, marched) = (placed.intersect(origin, direction), march(&shape, &placed, origin, direction));
             match (hit, marched) {
                 (Some(hit), Some(t)) => {
                     prop_assert!((hit.t - t).abs() < 1e-9, "{} against {t}", hit.t);
                     prop_assert!((origin + hit.t * direction - hit.p).length() < 1e-12, "{hit:?}");
                     prop_assert!((hit.n.length() - 1.0).abs() < 1e-14, "{hit:?}");
-                    let local = placed.surface_from_world.transform_point3(hit.p);
+                    let local = placed.frame.local_from_world.transform_point3(hit.p);
                     prop_assert!(implicit(&shape, local).abs() < 1e-13, "{hit:?}");
-                    let entering = implicit(&shape, placed.surface_from_world.transform_point3(origin)) > 0.0;
+                    let entering = implicit(&shape, placed.frame.local_from_world.transform_point3(origin)) > 0.0;
                     prop_assert!((hit.n.dot(direction) < 0.0) == entering, "{hit:?}");
                 }
                 (None, None) => {}
@@ -192,10 +239,10 @@ mod tests {
         ) {
             let shape = flats()[flat].clone();
             let placed = Placed::new(&surface(shape.clone(), position, rotation, scale));
-            let (through, normal) = (position, placed.world_from_normal * DVec3::Z);
+            let (through, normal) = (position, placed.frame.world_from_normal * DVec3::Z);
             let direction = (position + aim - origin).normalize();
             let t = (through - origin).dot(normal) / direction.dot(normal);
-            let local = placed.surface_from_world.transform_point3(origin + t * direction);
+            let local = placed.frame.local_from_world.transform_point3(origin + t * direction);
             let within = match shape {
                 Shape::Square { size } => local.x.abs() < 0.5 * size.x && local.y.abs() < 0.5 * size.y,
                 Shape::Disk { radius } => local.x.hypot(local.y) < radius,

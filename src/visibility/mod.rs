@@ -1,1 +1,11 @@
 //! What comes between a point and a light.
+//!
+//! A surface is a shell: it hides what lies on its other side. So a solid hides what is inside it from a point outside,
+//! and what is outside from a point within. The point's own surface, and what merely touches it or the light, hides
+//! nothing on the side where both are.
+
+pub mod line;
+mod objects;
+pub mod polygon;
+
+pub use objects::{Objects, Structure, UnknownStructure};

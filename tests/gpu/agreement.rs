@@ -5,7 +5,7 @@ use std::path::Path;
 
 use glam::DVec3;
 use softbox::gpu::{View, picture};
-use softbox::render::{Film, Geometry, MethodChoice, Progress, Settings, Thing, lobe_of, render};
+use softbox::render::{Film, Geometry, MethodChoice, Progress, Settings, Shadows, Thing, lobe_of, render};
 use softbox::scene::{self, Scene};
 use softbox::shading::Method;
 
@@ -59,7 +59,7 @@ fn check(name: &str, scene: &Scene, method: Method) {
 }
 
 fn difference(scene: &Scene, method: Method, tolerance: f64) -> Difference {
-    let settings = Settings { size: SIZE, choice: MethodChoice::Method(method), samples: 1 };
+    let settings = Settings { size: SIZE, choice: MethodChoice::Method(method), samples: 1, shadows: Shadows::None };
     let film = render(scene, &settings, &Progress::default()).expect("nobody cancels");
     let view = View {
         camera: scene.camera,

@@ -5,7 +5,7 @@ use std::io::Cursor;
 use glam::DVec3;
 use image::{ImageBuffer, ImageFormat, Luma, Rgb};
 use softbox::gpu::{Preview, View, picture};
-use softbox::render::{Geometry, MethodChoice, Progress, Settings, Thing, render};
+use softbox::render::{Geometry, MethodChoice, Progress, Settings, Shadows, Thing, render};
 use softbox::scene::{self, Scene};
 use softbox::shading::Method;
 
@@ -76,7 +76,8 @@ fn view(scene: &Scene) -> View {
 /// The worst difference of a pixel that shows a surface, as do its neighbours, as a share of the peak; and the share of
 /// the pixels that show the light, and differ.
 fn difference(scene: &Scene) -> (f64, f64) {
-    let settings = Settings { size: SIZE, choice: MethodChoice::Method(Method::Exact), samples: 1 };
+    let settings =
+        Settings { size: SIZE, choice: MethodChoice::Method(Method::Exact), samples: 1, shadows: Shadows::None };
     let film = render(scene, &settings, &Progress::default()).expect("nobody cancels");
     let pixels = picture(&CONTEXT, scene, &view(scene)).expect("the picture comes back");
     let geometry = Geometry::new(scene);

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use softbox::render::{MethodChoice, Progress, Settings, render};
+use softbox::render::{MethodChoice, Progress, Settings, Shadows, render};
 use softbox::scene::{self, Scene};
 use softbox::shading::Method;
 
@@ -62,7 +62,12 @@ fn preset_scenes_show_all_that_the_schema_knows() {
 
 #[test]
 fn every_preset_renders_finite_and_lit() {
-    let settings = Settings { size: [24, 14], choice: MethodChoice::Method(Method::Exact), samples: 1 };
+    let settings = Settings {
+        size: [24, 14],
+        choice: MethodChoice::Method(Method::Exact),
+        samples: 1,
+        shadows: Shadows::default(),
+    };
     let floor = scene::first_light();
     for (name, _, mut preset) in all() {
         if preset.surfaces.is_empty() {

@@ -12,7 +12,7 @@ use super::size::Size;
 use super::{Outcome, files, progress};
 use crate::analysis::chart::{Chart, Table};
 use crate::export;
-use crate::render::{Progress, Settings, render};
+use crate::render::{Progress, Settings, Shadows, render};
 use crate::scene::Scene;
 use list::{Content, FIGURES, Figure};
 
@@ -114,7 +114,7 @@ fn make(figure: &Figure, scenes: &[Scene], Size(size): Size, progress: &Progress
     }
     let outputs = match figure.content {
         Content::Picture { choice, .. } => {
-            let settings = Settings { size, choice, samples: SAMPLES };
+            let settings = Settings { size, choice, samples: SAMPLES, shadows: Shadows::default() };
             let film = scenes.first().and_then(|scene| render(scene, &settings, progress));
             let png = film.map(|film| export::png::rgb(film.size(), film.srgb())).transpose()?;
             return Ok(png.map(|png| vec![("png", png)]));

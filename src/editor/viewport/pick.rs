@@ -21,7 +21,8 @@ pub const SYMBOL: f32 = 12.0;
 #[derive(Debug, Default)]
 pub struct Solids {
     source: Vec<Surface>,
-    placed: Vec<Placed>,
+    /// The parts of each surface.
+    placed: Vec<Vec<Placed>>,
 }
 
 impl Solids {
@@ -29,7 +30,7 @@ impl Solids {
     pub fn update(&mut self, surfaces: &[Surface]) {
         if self.source != surfaces {
             self.source = surfaces.to_vec();
-            self.placed = surfaces.iter().map(Placed::new).collect();
+            self.placed = surfaces.iter().map(Placed::parts).collect();
         }
     }
 
@@ -40,19 +41,21 @@ impl Solids {
 
     /// The first surface that a ray meets.
     pub fn nearest(&self, ray: &Ray) -> Option<(usize, Hit)> {
-        let hits = self.placed.iter().map(|placed| placed.intersect(ray.origin, ray.direction));
-        hits.enumerate().filter_map(|(i, hit)| Some((i, hit?))).min_by(|(_, a), (_, b)| a.t.total_cmp(&b.t))
+        let parts = self.placed.iter().enumerate().flat_map(|(i, parts)| parts.iter().map(move |part| (i, part)));
+        let hits = parts.filter_map(|(i, part)| Some((i, part.intersect(ray.origin, ray.direction)?)));
+        hits.min_by(|(_, a), (_, b)| a.t.total_cmp(&b.t))
     }
 
     /// Whether some surface stands between the eye and `p`.
     pub fn hide(&self, eye: DVec3, p: DVec3) -> bool {
         // The ray is as long as the way, so that t = 1 is at `p`; what `p` itself lies on does not hide it.
-        self.placed.iter().any(|placed| placed.intersect(eye, p - eye).is_some_and(|hit| hit.t < 1.0 - 1e-3))
+        self.placed.iter().flatten().any(|part| part.intersect(eye, p - eye).is_some_and(|hit| hit.t < 1.0 - 1e-3))
     }
 
     /// The corners of the box about a surface, counted in binary; none of an infinite plane.
     pub fn corners(&self, index: usize) -> Vec<DVec3> {
-        let Some(bounds) = self.placed.get(index).and_then(Placed::bounds) else { return Vec::new() };
+        let bounds = |parts: &Vec<Placed>| parts.iter().map(Placed::bounds).reduce(|a, b| Some(a?.union(b?)));
+        let Some(bounds) = self.placed.get(index).and_then(bounds).flatten() else { return Vec::new() };
         let pick = |corner: i32, bit: i32, axis: usize| {
             if corner & bit == 0 { bounds.min[axis] } else { bounds.max[axis] }
         };

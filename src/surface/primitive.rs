@@ -1,0 +1,83 @@
+//! What rays meet and what casts shadows.
+
+use std::sync::Arc;
+
+use glam::{DVec2, DVec3};
+
+use super::Shape;
+
+/// A surface, or the part of one that is met as a whole. Solids are centred on the origin; axes of revolution are Z.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Primitive {
+    /// The infinite plane z = 0.
+    Plane,
+    /// A sphere.
+    Sphere {
+        /// Radius in metres.
+        radius: f64,
+    },
+    /// A box.
+    Box {
+        /// Edge lengths in metres.
+        size: DVec3,
+    },
+    /// A rectangle in the plane z = 0.
+    Square {
+        /// Edge lengths in metres.
+        size: DVec2,
+    },
+    /// A disk in the plane z = 0.
+    Disk {
+        /// Radius in metres.
+        radius: f64,
+    },
+    /// A closed cylinder about Z, from −height/2 to height/2.
+    Cylinder {
+        /// Radius in metres.
+        radius: f64,
+        /// Height in metres.
+        height: f64,
+    },
+    /// A closed cone about Z, base at −height/2, apex at height/2.
+    Cone {
+        /// Radius of the base in metres.
+        radius: f64,
+        /// Height in metres.
+        height: f64,
+    },
+    /// A triangle of a mesh.
+    Triangle(Triangle),
+    /// A bicubic patch.
+    Patch(Arc<Patch>),
+}
+
+/// A triangle, in the world.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Triangle {
+    /// Corners.
+    pub corners: [DVec3; 3],
+    /// Unit normals at the corners; none for a flat look.
+    pub normals: Option<[DVec3; 3]>,
+}
+
+/// A bicubic Bézier patch.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Patch {
+    /// Control points, in rows of four.
+    pub control_points: [DVec3; 16],
+}
+
+impl Shape {
+    /// The shape as one primitive in its own frame.
+    pub(super) fn primitive(&self) -> Primitive {
+        match *self {
+            Self::Plane {} => Primitive::Plane,
+            Self::Sphere { radius } => Primitive::Sphere { radius },
+            Self::Box { size } => Primitive::Box { size },
+            Self::Square { size } => Primitive::Square { size },
+            Self::Disk { radius } => Primitive::Disk { radius },
+            Self::Cylinder { radius, height } => Primitive::Cylinder { radius, height },
+            Self::Cone { radius, height } => Primitive::Cone { radius, height },
+        }
+    }
+}
