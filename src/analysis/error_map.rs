@@ -4,7 +4,9 @@ use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 
 use crate::light::luminance_of;
-use crate::render::{Geometry, Lighting, MethodChoice, Outgoing, Progress, Reflection, Thing, pixel_offsets};
+use crate::render::{
+    Geometry, Lighting, MethodChoice, Outgoing, Progress, Reflection, Shadows, Thing, pixel_offsets, prepare,
+};
 use crate::scene::Scene;
 
 /// Which pictures are compared, and how.
@@ -18,6 +20,8 @@ pub struct Comparison {
     pub size: [u32; 2],
     /// Rays a pixel, at least 1. Both methods shade the points of the same rays.
     pub samples: u32,
+    /// Whether surfaces cast shadows.
+    pub shadows: Shadows,
 }
 
 /// The difference of two pictures of radiance.
@@ -62,9 +66,11 @@ struct Mean {
 ///
 /// Lights that are seen, and the dark behind all surfaces, are the same by every method: they are left out.
 pub fn error_map(scene: &Scene, comparison: &Comparison, progress: &Progress) -> Option<ErrorMap> {
+    let (geometry, of) = prepare(scene, comparison.of, comparison.shadows);
+    let (_, against) = prepare(scene, comparison.against, comparison.shadows);
     let view = View {
-        geometry: Geometry::new(scene),
-        lightings: [comparison.of, comparison.against].map(|choice| Lighting::new(scene, choice)),
+        geometry,
+        lightings: [of, against],
         reflections: scene.materials.iter().map(Reflection::new).collect(),
         scene,
         size: DVec2::from(comparison.size.map(f64::from)),
@@ -196,7 +202,12 @@ mod tests {
     fn map(of: &str, against: &str, samples: u32) -> ErrorMap {
         let scene = crate::scene::first_light();
         let [of, against] = [of, against].map(|name| name.parse::<MethodChoice>().unwrap());
-        error_map(&scene, &Comparison { of, against, size: [48, 27], samples }, &Progress::default()).unwrap()
+        error_map(
+            &scene,
+            &Comparison { of, against, size: [48, 27], samples, shadows: Shadows::None },
+            &Progress::default(),
+        )
+        .unwrap()
     }
 
     #[test]
@@ -253,7 +264,7 @@ mod tests {
         let mut scene = crate::scene::first_light();
         scene.surfaces.retain(|surface| surface.name == "ball");
         let choice = MethodChoice::Approx;
-        let comparison = Comparison { of: choice, against: choice, size: [48, 27], samples: 1 };
+        let comparison = Comparison { of: choice, against: choice, size: [48, 27], samples: 1, shadows: Shadows::None };
         let map = error_map(&scene, &comparison, &Progress::default()).unwrap();
         let shown = map.difference().iter().flatten().count();
         assert!((10..700).contains(&shown), "{shown} of 1296 pixels show the ball");
@@ -264,7 +275,7 @@ mod tests {
         let progress = Progress::default();
         progress.cancel();
         let choice = MethodChoice::Approx;
-        let comparison = Comparison { of: choice, against: choice, size: [4, 4], samples: 1 };
+        let comparison = Comparison { of: choice, against: choice, size: [4, 4], samples: 1, shadows: Shadows::None };
         assert_eq!(error_map(&crate::scene::first_light(), &comparison, &progress), None, "cancelled");
     }
 }

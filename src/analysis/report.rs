@@ -1,6 +1,7 @@
 //! For each light and method: how far off it is over the ground, and what it costs.
 
 use std::hint::black_box;
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use glam::DVec3;
@@ -8,10 +9,11 @@ use rayon::prelude::*;
 
 use super::Ground;
 use crate::light::{Light, Point, Shape, luminance_of};
-use crate::render::{Lighting, MethodChoice, Outgoing, Progress, Reflection};
+use crate::render::{Lighting, MethodChoice, Outgoing, Progress, Reflection, Shadows};
 use crate::scene::Scene;
 use crate::shading::{Method, ShadingPoint};
 use crate::surface::Material;
+use crate::visibility::Objects;
 
 /// Points whose cost is measured.
 const TIMED_POINTS: usize = 256;
@@ -69,11 +71,15 @@ pub fn subjects(scene: &Scene) -> Vec<(&Light, Vec<Method>)> {
 
 /// Every light by every method that it has; none when cancelled. Each of these is one step of progress.
 ///
-/// Lights are measured alone, at their strength and in white.
-pub fn report(scene: &Scene, ground: &Ground, progress: &Progress) -> Option<Vec<Entry>> {
+/// Lights are measured alone, at their strength and in white, with the shadows of the scene's surfaces.
+pub fn report(scene: &Scene, ground: &Ground, shadows: Shadows, progress: &Progress) -> Option<Vec<Entry>> {
+    let objects = match shadows {
+        Shadows::None => None,
+        Shadows::Cast(structure) => Some(Arc::new(Objects::new(&scene.surfaces, structure))),
+    };
     let mut entries = Vec::new();
     for (light, methods) in subjects(scene) {
-        let subject = Subject::new(light, ground);
+        let subject = Subject::new(light, ground, objects.clone());
         let exact = subject.sweep(Method::Exact, progress)?;
         let mut deviations = Vec::new();
         for &method in &methods {
@@ -101,17 +107,19 @@ struct Subject<'a> {
     light: &'a Light,
     reflection: Reflection,
     points: &'a [ShadingPoint],
+    /// What casts shadows.
+    objects: Option<Arc<Objects>>,
 }
 
 impl<'a> Subject<'a> {
-    fn new(light: &'a Light, ground: &'a Ground) -> Self {
+    fn new(light: &'a Light, ground: &'a Ground, objects: Option<Arc<Objects>>) -> Self {
         let material = Material { diffuse: DVec3::ZERO, specular: DVec3::ONE, ..ground.material.clone() };
-        Self { light, reflection: Reflection::new(&material), points: &ground.points }
+        Self { light, reflection: Reflection::new(&material), points: &ground.points, objects }
     }
 
     /// E and S at every point by a method; none when cancelled.
     fn sweep(&self, method: Method, progress: &Progress) -> Option<Vec<[f64; 2]>> {
-        let lighting = alone(self.light.clone(), method);
+        let lighting = self.alone(self.light.clone(), method);
         let values = self.points.par_iter().map(|at| {
             let Outgoing { irradiance, radiance } = lighting.outgoing(&self.reflection, at);
             (!progress.is_cancelled()).then(|| [irradiance, radiance].map(luminance_of))
@@ -144,8 +152,8 @@ impl<'a> Subject<'a> {
         let bulb = Light { position: self.light.position, ..Light::new("", Shape::Point(Point {})) };
         let step = self.points.len().div_ceil(TIMED_POINTS).max(1);
         let points: Vec<_> = self.points.iter().step_by(step).copied().collect();
-        let subjects = methods.iter().map(|&method| alone(self.light.clone(), method));
-        let lightings: Vec<_> = std::iter::once(alone(bulb, Method::Exact)).chain(subjects).collect();
+        let subjects = methods.iter().map(|&method| self.alone(self.light.clone(), method));
+        let lightings: Vec<_> = std::iter::once(self.alone(bulb, Method::Exact)).chain(subjects).collect();
         let mut fastest = vec![Duration::MAX; lightings.len()];
         let mut spent = vec![Duration::ZERO; lightings.len()];
         for _ in 0..RUNS {
@@ -169,12 +177,16 @@ impl<'a> Subject<'a> {
         let (bulb, methods) = fastest.split_first()?;
         Some(methods.iter().map(|taken| (ns(taken), ns(taken) / ns(bulb).max(f64::MIN_POSITIVE))).collect())
     }
-}
 
-/// A light on its own, by a method.
-fn alone(light: Light, method: Method) -> Lighting {
-    let scene = Scene { lights: vec![light], ..Scene::default() };
-    Lighting::new(&scene, MethodChoice::Method(method))
+    /// A light on its own, by a method.
+    fn alone(&self, light: Light, method: Method) -> Lighting {
+        let scene = Scene { lights: vec![light], ..Scene::default() };
+        let lighting = Lighting::new(&scene, MethodChoice::Method(method));
+        match &self.objects {
+            Some(objects) => lighting.with_shadows(objects),
+            None => lighting,
+        }
+    }
 }
 
 #[cfg(test)]
@@ -184,7 +196,7 @@ mod tests {
     fn entries() -> (Scene, Ground, Vec<Entry>) {
         let scene = crate::scene::first_light();
         let ground = Ground::new(&scene, 150).unwrap();
-        let entries = report(&scene, &ground, &Progress::default()).unwrap();
+        let entries = report(&scene, &ground, Shadows::None, &Progress::default()).unwrap();
         (scene, ground, entries)
     }
 
@@ -207,7 +219,8 @@ mod tests {
         let light = &scene.lights[0];
         let values = |method| {
             let reflection = Reflection::new(&ground.material);
-            let lighting = alone(light.clone(), method);
+            let alone = Scene { lights: vec![light.clone()], ..Scene::default() };
+            let lighting = Lighting::new(&alone, MethodChoice::Method(method));
             ground.points.iter().map(move |at| luminance_of(lighting.outgoing(&reflection, at).irradiance))
         };
         let errors: Vec<f64> = values(Method::Point).zip(values(Method::Exact)).map(|(a, b)| a - b).collect();
@@ -231,6 +244,6 @@ mod tests {
         let (scene, ground, _) = entries();
         let progress = Progress::default();
         progress.cancel();
-        assert_eq!(report(&scene, &ground, &progress), None, "cancelled");
+        assert_eq!(report(&scene, &ground, Shadows::default(), &progress), None, "cancelled");
     }
 }

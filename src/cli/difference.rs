@@ -3,6 +3,7 @@
 use std::io::Write;
 use std::path::PathBuf;
 
+use super::shadows::ShadowArgs;
 use super::size::Size;
 use super::{Outcome, columns, files, progress};
 use crate::analysis::{Comparison, Summary, error_map};
@@ -39,6 +40,8 @@ pub(super) struct Args {
     /// End of the scale in cd/m², so that maps compare; the worst difference where it is not given.
     #[arg(long, value_name = "CD_PER_M2", value_parser = positive)]
     limit: Option<f64>,
+    #[command(flatten)]
+    shadows: ShadowArgs,
 }
 
 /// What a map is written as.
@@ -58,7 +61,8 @@ pub(super) fn run(args: &Args) -> anyhow::Result<Outcome> {
     let format = files::format(&args.output, &[("png", Format::Png), ("exr", Format::Exr)])?;
     let scene = files::load(&args.scene)?;
     files::check_writable(&args.output)?;
-    let comparison = Comparison { of: args.of, against: args.against, size: args.size.0, samples: args.samples };
+    let Args { of, against, size: Size(size), samples, .. } = *args;
+    let comparison = Comparison { of, against, size, samples, shadows: args.shadows.shadows() };
     let progress = progress::until_interrupted()?;
     let pixels = comparison.size.map(u64::from).iter().product();
     let Some(map) = progress::with_bar(pixels, &progress, || error_map(&scene, &comparison, &progress)) else {

@@ -11,6 +11,7 @@ mod progress;
 mod render;
 mod report;
 mod schema;
+mod shadows;
 mod size;
 mod verify;
 

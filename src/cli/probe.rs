@@ -8,9 +8,10 @@ use std::str::FromStr;
 use anyhow::{Context, anyhow, bail};
 use glam::DVec3;
 
+use super::shadows::ShadowArgs;
 use super::{Outcome, files};
 use crate::analysis;
-use crate::render::{Lighting, MethodChoice, Outgoing, Reflection};
+use crate::render::{MethodChoice, Outgoing, Reflection, prepare};
 use crate::scene::Scene;
 use crate::shading::ShadingPoint;
 
@@ -31,9 +32,8 @@ pub(super) struct Args {
     /// Material of the points; the scene's first where it is not given.
     #[arg(long, value_name = "NAME")]
     material: Option<String>,
-    /// Leave shadows out, as all answers do yet.
-    #[arg(long)]
-    no_shadows: bool,
+    #[command(flatten)]
+    shadows: ShadowArgs,
 }
 
 /// Which methods answer.
@@ -70,8 +70,9 @@ const ANSWER_HEADER: &str = "method,x,y,z,irradiance_r,irradiance_g,irradiance_b
 pub(super) fn run(args: &Args) -> anyhow::Result<Outcome> {
     let scene = files::load(&args.scene)?;
     let reflection = Reflection::new(files::material(&scene, &args.scene, args.material.as_deref())?);
+    let choices = args.method.choices(&scene);
     let lightings: Vec<_> =
-        args.method.choices(&scene).into_iter().map(|choice| (choice, Lighting::new(&scene, choice))).collect();
+        choices.into_iter().map(|choice| (choice, prepare(&scene, choice, args.shadows.shadows()).1)).collect();
     let mut rows = csv::ReaderBuilder::new().trim(csv::Trim::All).flexible(true).from_reader(open(&args.points)?);
     let name =
         if args.points == Path::new("-") { "standard input".to_owned() } else { args.points.display().to_string() };

@@ -4,10 +4,11 @@ use std::path::PathBuf;
 
 use anyhow::bail;
 
+use super::shadows::ShadowArgs;
 use super::size::Size;
 use super::{Outcome, files, progress};
 use crate::export;
-use crate::render::{Film, MethodChoice, Settings, Shadows, render};
+use crate::render::{Film, MethodChoice, Settings, render};
 use crate::scene::Scene;
 
 /// Most rays a pixel.
@@ -31,9 +32,8 @@ pub(super) struct Args {
     /// Most rays a pixel, where something changes across it; 1 goes through its centre.
     #[arg(long, default_value_t = 16, value_parser = clap::value_parser!(u32).range(1..=i64::from(MAX_SAMPLES)))]
     samples: u32,
-    /// Leave shadows out, as all pictures do yet.
-    #[arg(long)]
-    no_shadows: bool,
+    #[command(flatten)]
+    shadows: ShadowArgs,
     /// What renders: cpu in double precision, or gpu as the editor's preview does, with its own number of rays where
     /// --samples is above 1.
     #[arg(long, value_enum, default_value_t = Renderer::Cpu)]
@@ -60,7 +60,7 @@ pub(super) fn run(args: &Args) -> anyhow::Result<Outcome> {
     let scene = files::load(&args.scene)?;
     files::check_writable(&args.output)?;
     let settings =
-        Settings { size: args.size.0, choice: args.method, samples: args.samples, shadows: Shadows::default() };
+        Settings { size: args.size.0, choice: args.method, samples: args.samples, shadows: args.shadows.shadows() };
     let film = match args.renderer {
         Renderer::Cpu => on_cpu(&scene, &settings)?,
         Renderer::Gpu => Some(on_gpu(&scene, &settings)?),

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use anyhow::{Context, bail};
 
+use super::shadows::ShadowArgs;
 use super::{Outcome, columns, files, progress};
 use crate::analysis::{Deviation, Entry, Ground, report, subjects};
 
@@ -14,7 +15,7 @@ const MAX_POINTS: u32 = 1 << 20;
 /// Report, for each light and method, RMS and worst error over the ground, and the cost of a point.
 ///
 /// The ground is the scene's first plane, or z = 0, as far as the camera sees it, or near the lights where it sees too
-/// little. Errors are against exact, for each light alone and without shadows; percentages are of the light's greatest
+/// little. Errors are against exact, for each light alone, with the shadows that it casts; percentages are of the light's greatest
 /// exact value there. E is illuminance, S the specular luminance for k_s = 1. Costs are of diffuse and specular
 /// together on one thread: the fastest of several runs, in ns and as a multiple of a point light's in the same runs.
 #[derive(Debug, clap::Args)]
@@ -27,6 +28,8 @@ pub(super) struct Args {
     /// Most points on the ground.
     #[arg(long, default_value_t = 1024, value_parser = clap::value_parser!(u32).range(16..=i64::from(MAX_POINTS)))]
     points: u32,
+    #[command(flatten)]
+    shadows: ShadowArgs,
 }
 
 /// Measure, and print it all.
@@ -40,7 +43,9 @@ pub(super) fn run(args: &Args) -> anyhow::Result<Outcome> {
     let ground = Ground::new(&scene, args.points as usize);
     let ground = ground.with_context(|| format!("{file}: has no material for the ground"))?;
     let progress = progress::until_interrupted()?;
-    let Some(entries) = progress::with_bar(steps as u64, &progress, || report(&scene, &ground, &progress)) else {
+    let Some(entries) =
+        progress::with_bar(steps as u64, &progress, || report(&scene, &ground, args.shadows.shadows(), &progress))
+    else {
         return Ok(Outcome::Interrupted);
     };
     let text = if args.csv { csv(&entries)? } else { format!("Ground: {ground}.\n\n{}", table(&entries)) };

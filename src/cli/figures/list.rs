@@ -100,7 +100,7 @@ pub(super) const FIGURES: &[Figure] = &[
     picture("picott-2a", "studio, point lights in place of spots", "picott-studio-points.toml", Method::Exact),
     picture("picott-2b", "studio, linear lights", "picott-studio-lines.toml", Method::NearestPoint),
     picture("picott-2c", "studio, area lights", "picott-studio-areas.toml", Method::NearestPoint),
-    picture("poulin-1", "sphere under 7 point lights", "poulin-sphere.toml", Method::PointCluster(7)),
+    picture("poulin-1", "sphere under 7 point lights", "poulin-sphere-points.toml", Method::Exact),
     picture("poulin-2", "the same sphere under a linear light", "poulin-sphere.toml", Method::CHEBYSHEV),
     picture("poulin-3", "cafeteria with 12 linear lights", "poulin-cafeteria.toml", Method::CHEBYSHEV),
     picture("poulin-4", "desk under a linear light", "poulin-desk.toml", Method::CHEBYSHEV),

@@ -27,7 +27,7 @@ const STEPS: u64 = 20_000;
 
 /// Write the figures and tables of the four papers: pictures as PNG, charts as SVG and PNG, tables as CSV.
 ///
-/// Pictures are of the scenes in presets/figures, without shadows.
+/// Pictures are of the scenes in presets/figures.
 #[derive(Debug, clap::Args)]
 pub(super) struct Args {
     /// Names of figures, or how names begin, such as snyder or picott-1; all where none is given.
