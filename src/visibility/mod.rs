@@ -4,8 +4,11 @@
 //! and what is outside from a point within. The point's own surface, and what merely touches it or the light, hides
 //! nothing on the side where both are.
 
+mod cull;
+mod hierarchy;
 pub mod line;
 mod objects;
 pub mod polygon;
 
+pub use hierarchy::{Hierarchy, Node};
 pub use objects::{Objects, Structure, UnknownStructure};
