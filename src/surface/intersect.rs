@@ -11,7 +11,7 @@ use glam::{DVec2, DVec3};
 use super::{Primitive, Triangle};
 
 /// Distance below which a point counts as on a surface, relative to the sizes involved.
-const ON_SURFACE: f64 = 1e-10;
+pub(crate) const ON_SURFACE: f64 = 1e-10;
 
 /// A hit in the shape's own frame; the normal has any length.
 pub(super) struct LocalHit {

@@ -6,6 +6,7 @@ mod primitive;
 mod ray;
 mod shape;
 
+pub(crate) use intersect::ON_SURFACE;
 pub use material::{Material, ReflectionModel};
 pub use primitive::{Patch, Primitive, Triangle};
 pub use ray::{Bounds, Hit, Placed};

@@ -6,6 +6,7 @@
 
 mod cull;
 mod hierarchy;
+pub mod interval;
 pub mod line;
 mod objects;
 pub mod polygon;

@@ -62,11 +62,10 @@ fn scaled(response: Response, [diffuse, specular]: [f64; 2]) -> Response {
 fn visible(objects: &Objects, light: &Prepared, at: &ShadingPoint, lobe: &Lobe) -> Visible {
     match light.emitter() {
         Emitter::Line(line) => {
-            let segments = visible_segments(objects, at.p, line.a, line.b);
-            match segments[..] {
+            let Some(segments) = visible_segments(objects, at.p, at.n, [line.a, line.b]) else { return Visible::All };
+            match segments.parts() {
                 [] => Visible::NOTHING,
-                [[0.0, 1.0]] => Visible::All,
-                _ => Visible::Parts(segments.iter().map(|&[from, to]| segment(line, from, to)).collect()),
+                parts => Visible::Parts(parts.iter().map(|&[from, to]| segment(line, from, to)).collect()),
             }
         }
         Emitter::Polygon(polygon) => match visible_pieces(objects, at.p, &polygon.vertices) {

@@ -1,0 +1,166 @@
+//! Exact shadows against dense ray casting, for each pair of light shape and occluder shape.
+//!
+//! `cargo bench --no-default-features --bench shadows [-- --points 200 --rays 1000000 --light NAME --occluder NAME]`.
+//! Prints the worst difference of the shares of E and of S (Phong, m = 32) that are seen, over points around an occluder
+//! of random placement, within it too. Rays are spread evenly over the light: where K edges of shadows cross it, the
+//! share by rays is itself unsure by about K/rays of a line, K/√rays of an area.
+
+use std::env;
+use std::sync::Arc;
+
+use glam::{DVec2, DVec3};
+use rayon::prelude::*;
+use softbox::light::{Emitter, Light, Line, Shape as LightShape};
+use softbox::render::{Lighting, MethodChoice, Reflection};
+use softbox::scene::Scene;
+use softbox::shading::{Lobe, Method, Response, ShadingPoint, point::point_response};
+use softbox::surface::{Material, Shape, Surface};
+use softbox::visibility::{Objects, Structure};
+
+const EXPONENT: f64 = 32.0;
+
+/// Where lights hang.
+const CEILING: DVec3 = DVec3::new(0.3, -0.2, 3.0);
+
+/// A light, and the i-th of n points spread evenly over it with what that point alone does.
+struct Row {
+    name: &'static str,
+    shape: LightShape,
+    sample: Sample,
+}
+
+type Sample = fn(&Emitter, &ShadingPoint, &Lobe, u32, u32) -> (DVec3, Response);
+
+/// The lights that are measured. A new one is a line here and the function that spreads points over it.
+fn lights() -> Vec<Row> {
+    vec![Row { name: "line", shape: LightShape::Line(Line::isotropic(4.0)), sample: on_line }]
+}
+
+/// What casts shadows. A new shape is a line here.
+fn occluders() -> Vec<(&'static str, Shape)> {
+    vec![
+        ("plane", Shape::Plane {}),
+        ("square", Shape::Square { size: DVec2::new(1.4, 1.0) }),
+        ("disk", Shape::Disk { radius: 0.7 }),
+        ("box", Shape::Box { size: DVec3::new(1.0, 0.8, 1.2) }),
+        ("sphere", Shape::Sphere { radius: 0.6 }),
+        ("cylinder", Shape::Cylinder { radius: 0.5, height: 1.1 }),
+        ("cone", Shape::Cone { radius: 0.6, height: 1.2 }),
+    ]
+}
+
+fn main() {
+    let points: u32 = option("--points").map_or(200, |count| count.parse().expect("a number of points"));
+    let rays: u32 = option("--rays").map_or(1_000_000, |count| count.parse().expect("a number of rays"));
+    let (light, occluder) = (option("--light"), option("--occluder"));
+    let wanted = |filter: &Option<String>, name: &str| filter.as_deref().is_none_or(|wanted| wanted == name);
+    println!("{points} points, {rays} rays a point");
+    println!("{:<10} {:<12} {:>12} {:>12} {:>10}", "light", "occluder", "worst of E", "worst of S", "penumbra");
+    for row in lights().iter().filter(|row| wanted(&light, row.name)) {
+        for (name, shape) in occluders().into_iter().filter(|(name, _)| wanted(&occluder, name)) {
+            let worst =
+                (0..points).into_par_iter().map(|i| compare(row, &shape, i, rays)).reduce(Worst::default, Worst::and);
+            let Worst { differences: [diffuse, specular], partly } = worst;
+            println!("{:<10} {name:<12} {diffuse:>12.2e} {specular:>12.2e} {partly:>10}", row.name);
+        }
+    }
+}
+
+/// What follows a flag on the command line.
+fn option(flag: &str) -> Option<String> {
+    env::args().skip_while(|word| word != flag).nth(1)
+}
+
+/// The worst differences, and at how many points a light was seen in part.
+#[derive(Clone, Copy, Default)]
+struct Worst {
+    differences: [f64; 2],
+    partly: u32,
+}
+
+impl Worst {
+    fn and(self, other: Self) -> Self {
+        let [a, b] = [self.differences, other.differences];
+        Self { differences: [a[0].max(b[0]), a[1].max(b[1])], partly: self.partly + other.partly }
+    }
+}
+
+/// The i-th point under a light with one occluder, which is placed anew for each point.
+fn compare(row: &Row, shape: &Shape, i: u32, rays: u32) -> Worst {
+    let light = Light { position: CEILING, ..Light::new("light", row.shape.clone()) };
+    let (at, surface) = (shading_point(i), placed(shape, i));
+    let objects = Arc::new(Objects::new(std::slice::from_ref(&surface), Structure::Every));
+    let exact = exact_shares(&light, &objects, &at);
+    let dense = dense_shares(row, &light.emitter(), &objects, &at, rays);
+    let partly = u32::from(dense[0] > 0.0 && dense[0] < 1.0);
+    Worst { differences: [0, 1].map(|part| (exact[part] - dense[part]).abs()), partly }
+}
+
+/// The shares of E and S that are seen, exactly.
+fn exact_shares(light: &Light, objects: &Arc<Objects>, at: &ShadingPoint) -> [f64; 2] {
+    let scene = Scene { lights: vec![light.clone()], ..Scene::default() };
+    let open = Lighting::new(&scene, MethodChoice::Method(Method::Exact));
+    let shadowed = open.clone().with_shadows(objects);
+    let glossy = Material {
+        name: "glossy".to_owned(),
+        diffuse: DVec3::ZERO,
+        specular: DVec3::ONE,
+        model: Default::default(),
+        exponent: EXPONENT,
+    };
+    let [whole, seen] = [open, shadowed].map(|lighting| lighting.outgoing(&Reflection::new(&glossy), at));
+    [share(seen.irradiance.x, whole.irradiance.x), share(seen.radiance.x, whole.radiance.x)]
+}
+
+/// The same by rays.
+fn dense_shares(row: &Row, emitter: &Emitter, objects: &Objects, at: &ShadingPoint, rays: u32) -> [f64; 2] {
+    let lobe = Lobe::new(EXPONENT);
+    let (mut whole, mut seen) = (Response::default(), Response::default());
+    for i in 0..rays {
+        let (position, response) = (row.sample)(emitter, at, &lobe, i, rays);
+        whole += response;
+        if response.irradiance > 0.0 && !objects.hides(at.p, position - at.p) {
+            seen += response;
+        }
+    }
+    [share(seen.irradiance, whole.irradiance), share(seen.specular, whole.specular)]
+}
+
+/// 1 of nothing.
+fn share(seen: f64, whole: f64) -> f64 {
+    if whole > 0.0 { seen / whole } else { 1.0 }
+}
+
+/// Middles of equal pieces of a line.
+fn on_line(emitter: &Emitter, at: &ShadingPoint, lobe: &Lobe, i: u32, n: u32) -> (DVec3, Response) {
+    let Emitter::Line(line) = emitter else { panic!("a line is sampled") };
+    let position = line.a.lerp(line.b, (f64::from(i) + 0.5) / f64::from(n));
+    (position, point_response(position - at.p, 1.0, at, lobe))
+}
+
+/// The i-th point of the R₃ sequence (M. Roberts, 2018) with an offset, in the unit cube.
+fn spread(i: u32, offset: f64) -> DVec3 {
+    let i = f64::from(i);
+    DVec3::new(0.819_172_513, 0.671_043_607, 0.549_700_478).map(|step| (offset + step * (i + 1.0)).fract())
+}
+
+/// Of each four points three on the ground and one anywhere about the occluder, with normals tilted by up to 45°.
+fn shading_point(i: u32) -> ShadingPoint {
+    let mut p = 3.0 * (spread(i, 0.0) - 0.5);
+    p.z = if i.is_multiple_of(4) { p.z * 0.5 + 1.0 } else { 0.0 };
+    let n = (DVec3::Z + (spread(i, 0.3) - 0.5)).normalize();
+    let v = (DVec3::Z + 2.0 * (spread(i, 0.7) - 0.5)).normalize();
+    ShadingPoint { p, n, v }
+}
+
+/// An occluder about (0, 0, 1), turned and stretched.
+fn placed(shape: &Shape, i: u32) -> Surface {
+    Surface {
+        name: "occluder".to_owned(),
+        material: "any".to_owned(),
+        position: DVec3::Z + 0.5 * (spread(i, 0.2) - 0.5),
+        rotation_deg: 360.0 * spread(i, 0.4),
+        scale: 0.6 + spread(i, 0.6),
+        shape: shape.clone(),
+    }
+}
