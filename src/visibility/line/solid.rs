@@ -15,6 +15,8 @@ pub(super) struct Solid {
     half: DVec3,
     round: Option<Round>,
     size: f64,
+    /// The square of the radius of a ball about it.
+    reach_squared: f64,
 }
 
 /// A corner of the fan's triangle, cut by slabs.
@@ -34,14 +36,16 @@ const SLACK: f64 = 1e-12;
 impl Solid {
     /// A box.
     pub(super) fn of_box(size: DVec3) -> Self {
-        Self { half: 0.5 * size, round: None, size: 0.5 * size.max_element() }
+        let half = 0.5 * size;
+        Self { half, round: None, size: half.max_element(), reach_squared: half.length_squared() }
     }
 
     /// The part of a round body of that height.
     pub(super) fn of_round(round: Round, height: f64) -> Self {
         let half = DVec3::new(f64::INFINITY, f64::INFINITY, 0.5 * height);
-        let size = if height.is_finite() { round.radius.max(half.z) } else { round.radius };
-        Self { half, round: Some(round), size }
+        let rise = if half.z.is_finite() { half.z } else { 0.0 };
+        let reach_squared = round.radius * round.radius + rise * rise;
+        Self { half, round: Some(round), size: round.radius.max(rise), reach_squared }
     }
 
     /// Takes away what it hides. A point on its surface is hidden what lies below the tangent planes, and outside.
@@ -121,6 +125,9 @@ impl Solid {
     /// What a round body hides from outside: the span of its tangents that touch it before the light, and of the points
     /// where the sides of the triangle, cut by its flat faces, enter and leave it.
     fn behind_round(&self, round: &Round, fan: &Fan) -> Option<Range> {
+        if self.is_beside(fan) {
+            return None;
+        }
         let tangents = round.tangents(fan)?;
         let mut span = Span::EMPTY;
         let ends = [tangents.from, tangents.to];
@@ -142,6 +149,15 @@ impl Solid {
             }
         }
         span.range()
+    }
+
+    /// Whether the plane of the fan misses the ball about the body, by more than the rounding of its normal, which may be
+    /// all there is of it where p lies on the light's own line.
+    fn is_beside(&self, fan: &Fan) -> bool {
+        let across = fan.a.cross(fan.b);
+        let height = across.dot(fan.p);
+        let noise = 1e-26 * fan.a.length_squared() * fan.b.length_squared() * fan.p.length_squared();
+        height * height > 1.01 * self.reach_squared * across.length_squared() + noise
     }
 
     /// Whether a tangent touches the body between p and the light.
