@@ -19,6 +19,9 @@ use softbox::visibility::{Objects, Structure};
 
 const EXPONENT: f64 = 32.0;
 
+/// A highlight that is fainter than this beside E has no share that could be told from rounding.
+const FAINT: f64 = 1e-6;
+
 /// Where lights hang.
 const CEILING: DVec3 = DVec3::new(0.3, -0.2, 3.0);
 
@@ -91,9 +94,10 @@ fn compare(row: &Row, shape: &Shape, i: u32, rays: u32) -> Worst {
     let (at, surface) = (shading_point(i), placed(shape, i));
     let objects = Arc::new(Objects::new(std::slice::from_ref(&surface), Structure::Every));
     let exact = exact_shares(&light, &objects, &at);
-    let dense = dense_shares(row, &light.emitter(), &objects, &at, rays);
+    let (dense, is_faint) = dense_shares(row, &light.emitter(), &objects, &at, rays);
     let partly = u32::from(dense[0] > 0.0 && dense[0] < 1.0);
-    Worst { differences: [0, 1].map(|part| (exact[part] - dense[part]).abs()), partly }
+    let [diffuse, specular] = [0, 1].map(|part| (exact[part] - dense[part]).abs());
+    Worst { differences: [diffuse, if is_faint { 0.0 } else { specular }], partly }
 }
 
 /// The shares of E and S that are seen, exactly.
@@ -112,8 +116,8 @@ fn exact_shares(light: &Light, objects: &Arc<Objects>, at: &ShadingPoint) -> [f6
     [share(seen.irradiance.x, whole.irradiance.x), share(seen.radiance.x, whole.radiance.x)]
 }
 
-/// The same by rays.
-fn dense_shares(row: &Row, emitter: &Emitter, objects: &Objects, at: &ShadingPoint, rays: u32) -> [f64; 2] {
+/// The same by rays, and whether S is too faint beside E to tell its share.
+fn dense_shares(row: &Row, emitter: &Emitter, objects: &Objects, at: &ShadingPoint, rays: u32) -> ([f64; 2], bool) {
     let lobe = Lobe::new(EXPONENT);
     let (mut whole, mut seen) = (Response::default(), Response::default());
     for i in 0..rays {
@@ -123,7 +127,8 @@ fn dense_shares(row: &Row, emitter: &Emitter, objects: &Objects, at: &ShadingPoi
             seen += response;
         }
     }
-    [share(seen.irradiance, whole.irradiance), share(seen.specular, whole.specular)]
+    let shares = [share(seen.irradiance, whole.irradiance), share(seen.specular, whole.specular)];
+    (shares, whole.specular < FAINT * whole.irradiance)
 }
 
 /// 1 of nothing.
