@@ -1,34 +1,32 @@
 //! The first layer: what the camera sees.
 
+use std::sync::Arc;
+
+use super::occluders::{self, Occluders};
 use super::pass::{self, Binding, Target};
 use super::shader::{Module, Source};
-use super::types::{Camera, Primitive, f32_of, u32_of, vec3_of, vec4_of};
+use super::types::{Camera, f32_of, vec3_of};
 use super::view::View;
-use crate::scene::Scene;
-use crate::surface::{Shape, Surface};
-use glam::{DMat3, DVec3, Vec3};
 
 const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba32Float;
 
 /// All that the G-buffer depends on. Equal data give equal G-buffers.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub(crate) struct Seen {
     camera: Camera,
-    primitives: Vec<Primitive>,
+    occluders: Arc<Occluders>,
     size: [u32; 2],
 }
 
+impl PartialEq for Seen {
+    fn eq(&self, other: &Self) -> bool {
+        self.camera == other.camera && self.size == other.size && Arc::ptr_eq(&self.occluders, &other.occluders)
+    }
+}
+
 impl Seen {
-    /// The scene's surfaces through the view's camera; `jitter` moves the sample off the pixels' centres, in pixels.
-    pub(crate) fn new(scene: &Scene, view: &View, jitter: [f32; 2]) -> Self {
-        let primitives: Vec<_> = scene
-            .surfaces
-            .iter()
-            .map(|surface| {
-                let material = scene.materials.iter().position(|material| material.name == surface.material);
-                primitive(surface, u32_of(material.unwrap_or(scene.materials.len())), view.camera.eye)
-            })
-            .collect();
+    /// The surfaces through the view's camera; `jitter` moves the sample off the pixels' centres, in pixels.
+    pub(crate) fn new(occluders: &Arc<Occluders>, view: &View, jitter: [f32; 2]) -> Self {
         let [right, up, back] = view.camera.axes();
         let camera = Camera {
             right: vec3_of(right),
@@ -38,57 +36,26 @@ impl Seen {
             back: vec3_of(back),
             height: f32_of(f64::from(view.size[1])),
             jitter,
-            primitive_count: u32_of(primitives.len()),
-            unused: 0,
+            unused: [0; 2],
         };
-        Self { camera, primitives, size: view.size }
+        Self { camera, occluders: Arc::clone(occluders), size: view.size }
     }
 
     /// The picture's size in pixels.
     pub(crate) fn size(&self) -> [u32; 2] {
         self.size
     }
-}
 
-/// A surface about the eye. The inverse is taken in f64: a far or flat surface costs no digits.
-fn primitive(surface: &Surface, material: u32, eye: DVec3) -> Primitive {
-    let world_from_local = surface.world_from_surface();
-    let local_from_world = world_from_local.inverse();
-    let (kind, size) = kind_and_size(&surface.shape);
-    Primitive {
-        local_from_world: columns(&local_from_world.matrix3),
-        world_from_local: columns(&world_from_local.matrix3),
-        eye_local: vec3_of(local_from_world.transform_point3(eye)),
-        kind,
-        origin: vec3_of(world_from_local.translation - eye),
-        material,
-        size,
-        unused: 0,
+    /// What rays meet.
+    pub(crate) fn occluders(&self) -> &Arc<Occluders> {
+        &self.occluders
     }
-}
-
-fn columns(matrix: &DMat3) -> [[f32; 4]; 3] {
-    [matrix.x_axis, matrix.y_axis, matrix.z_axis].map(|column| vec4_of(column, 0.0))
-}
-
-/// The shape's number in `gbuffer.wgsl`, and its half edges, or radius and half height.
-fn kind_and_size(shape: &Shape) -> (u32, Vec3) {
-    let (kind, size) = match *shape {
-        Shape::Plane {} => (0, DVec3::ZERO),
-        Shape::Sphere { radius } => (1, DVec3::splat(radius)),
-        Shape::Box { size } => (2, 0.5 * size),
-        Shape::Square { size } => (3, 0.5 * size.extend(0.0)),
-        Shape::Disk { radius } => (4, DVec3::splat(radius)),
-        Shape::Cylinder { radius, height } => (5, DVec3::new(radius, 0.5 * height, 0.0)),
-        Shape::Cone { radius, height } => (6, DVec3::new(radius, 0.5 * height, 0.0)),
-    };
-    (kind, vec3_of(size))
 }
 
 /// Position and normal at every pixel.
 #[derive(Debug)]
 pub(crate) struct GBuffer {
-    /// About the eye; w is the surface's number + 1, 0 where nothing is seen.
+    /// About the eye; w is the item's number in `primitives.wgsl` + 1, 0 where nothing is seen.
     pub(crate) positions: Target,
     /// Towards the eye; w is the material's number.
     pub(crate) normals: Target,
@@ -112,19 +79,30 @@ impl GBuffer {
 pub(crate) struct GBufferPass {
     pipeline: wgpu::RenderPipeline,
     layout: wgpu::BindGroupLayout,
+    /// Group 1, which the pass has no use for.
+    nothing: wgpu::BindGroup,
+    occluder_layout: wgpu::BindGroupLayout,
 }
 
 impl GBufferPass {
     pub(crate) fn new(device: &wgpu::Device) -> Self {
-        let layout = pass::bind_group_layout(device, &[Binding::Uniform, Binding::Storage]);
-        let source = Self::source();
-        let pipeline = pass::pipeline(device, &source, "gbuffer", &[&layout], &[FORMAT, FORMAT]);
-        Self { pipeline, layout }
+        let layout = pass::bind_group_layout(device, &[Binding::Uniform]);
+        let none = pass::bind_group_layout(device, &[]);
+        let occluder_layout = pass::bind_group_layout(device, &occluders::BINDINGS);
+        let layouts = [&layout, &none, &occluder_layout];
+        let pipeline = pass::pipeline(device, &Self::source(), "gbuffer", &layouts, &[FORMAT, FORMAT]);
+        let nothing = pass::bind_group(device, &none, &[]);
+        Self { pipeline, layout, nothing, occluder_layout }
     }
 
     /// The pass's shader.
     pub(crate) fn source() -> Source {
-        Source::join(&[Module::FULLSCREEN, Module::GBUFFER])
+        Source::join(&[Module::FULLSCREEN, Module::PRIMITIVES, Module::GBUFFER])
+    }
+
+    /// The layout of [`Occluders::group`], which is the same in all passes.
+    pub(crate) fn occluder_layout(&self) -> &wgpu::BindGroupLayout {
+        &self.occluder_layout
     }
 
     /// Draws what is seen, in the textures of `old` where they have the size.
@@ -140,10 +118,9 @@ impl GBufferPass {
             _ => (Target::new(device, seen.size, FORMAT), Target::new(device, seen.size, FORMAT)),
         };
         let camera = pass::uniform(device, &seen.camera);
-        let primitives = pass::storage(device, &seen.primitives);
-        let resources = [camera.as_entire_binding(), primitives.as_entire_binding()];
-        let group = pass::bind_group(device, &self.layout, &resources);
-        pass::run(encoder, &self.pipeline, &[&group], &[&positions.view, &normals.view]);
+        let group = pass::bind_group(device, &self.layout, &[camera.as_entire_binding()]);
+        let groups = [&group, &self.nothing, seen.occluders.group()];
+        pass::run(encoder, &self.pipeline, &groups, &[&positions.view, &normals.view]);
         GBuffer { positions, normals, seen }
     }
 }

@@ -1,6 +1,6 @@
 //! The live preview, in layers, so that work follows change.
 //!
-//! 1. *G-buffer*: what the camera sees, by casting rays at the primitives (`gbuffer.rs`).
+//! 1. *G-buffer*: what the camera sees, by casting rays at the surfaces (`gbuffer.rs`, `occluders.rs`).
 //! 2. *Light layers*, one a light: its response at unit strength (`layers.rs`, `lights.rs`).
 //! 3. *Composite*: weights, materials, emitters, a running mean over samples; then the tone curve (`composite.rs`).
 //!
@@ -12,6 +12,7 @@ mod gbuffer;
 mod layers;
 mod lights;
 mod lobes;
+mod occluders;
 mod pass;
 mod preview;
 mod read_back;

@@ -44,14 +44,14 @@ pub(crate) enum Binding {
     Texture,
 }
 
-/// A bind group layout for fragment shaders; binding i is `bindings[i]`.
+/// A bind group layout for fragment and compute shaders; binding i is `bindings[i]`.
 pub(crate) fn bind_group_layout(device: &wgpu::Device, bindings: &[Binding]) -> wgpu::BindGroupLayout {
     let buffer = |ty| wgpu::BindingType::Buffer { ty, has_dynamic_offset: false, min_binding_size: None };
     let entries: Vec<_> = (0..)
         .zip(bindings)
         .map(|(binding, kind)| wgpu::BindGroupLayoutEntry {
             binding,
-            visibility: wgpu::ShaderStages::FRAGMENT,
+            visibility: wgpu::ShaderStages::FRAGMENT | wgpu::ShaderStages::COMPUTE,
             ty: match kind {
                 Binding::Uniform => buffer(wgpu::BufferBindingType::Uniform),
                 Binding::Storage => buffer(wgpu::BufferBindingType::Storage { read_only: true }),

@@ -1,5 +1,7 @@
 //! The live picture of a scene: redoes what changed, and nothing else.
 
+use std::sync::Arc;
+
 use glam::DVec3;
 
 use super::Context;
@@ -8,6 +10,7 @@ use super::gbuffer::{GBufferPass, Seen};
 use super::layers::{LayerPass, Sample, Wanted};
 use super::lights::LightData;
 use super::lobes;
+use super::occluders::Occluders;
 use super::read_back::{self, Pixels, ReadBackError};
 use super::types::{Lobe, vec4_of};
 use super::view::{Stats, View};
@@ -28,6 +31,8 @@ pub struct Preview {
     gbuffer_pass: GBufferPass,
     layer_pass: LayerPass,
     composite_pass: CompositePass,
+    /// What rays meet.
+    occluders: Option<Arc<Occluders>>,
     /// Through the pixels' centres: what editing changes.
     centred: Sample,
     /// Off the centres: what smooths a still picture.
@@ -50,6 +55,7 @@ impl Preview {
             gbuffer_pass: GBufferPass::new(device),
             layer_pass: LayerPass::new(device),
             composite_pass: CompositePass::new(device),
+            occluders: None,
             centred: Sample::default(),
             jittered: Sample::default(),
             mix: None,
@@ -71,7 +77,10 @@ impl Preview {
         view: &View,
     ) -> &wgpu::TextureView {
         let view = View { size: view.size.map(|side| side.max(1)), ..*view };
-        let (wanted, mix) = wanted(scene, &view, [0.0, 0.0], self.bands);
+        let layout = self.gbuffer_pass.occluder_layout();
+        let occluders = Occluders::of_scene(device, layout, (scene, view.camera.eye), self.occluders.as_ref());
+        self.occluders = Some(Arc::clone(&occluders));
+        let (wanted, mix) = wanted(scene, &view, &occluders, self.bands);
         let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         let passes = (&self.gbuffer_pass, &mut self.layer_pass);
         let redone = self.centred.update(device, &mut encoder, passes, &wanted, &mut self.stats);
@@ -87,7 +96,7 @@ impl Preview {
             self.accumulate(device, &mut encoder, &mix, false);
         } else if view.refine && !self.is_converged() {
             let jitter = jitter(self.samples);
-            let wanted = Wanted { seen: Seen::new(scene, &view, jitter), by_stages: false, ..wanted };
+            let wanted = Wanted { seen: Seen::new(&occluders, &view, jitter), by_stages: false, ..wanted };
             let passes = (&self.gbuffer_pass, &mut self.layer_pass);
             self.jittered.update(device, &mut encoder, passes, &wanted, &mut self.stats);
             if self.jittered.is_refined(&wanted.lit) {
@@ -161,11 +170,11 @@ fn lobes(scene: &Scene, method: Method) -> Vec<Lobe> {
 }
 
 /// What the layers are to be, and how they are mixed.
-fn wanted(scene: &Scene, view: &View, jitter: [f32; 2], bands: u32) -> (Wanted, Mix) {
+fn wanted(scene: &Scene, view: &View, occluders: &Arc<Occluders>, bands: u32) -> (Wanted, Mix) {
     let mut mixed = Vec::new();
     let matte = scene.materials.iter().all(|material| material.specular == DVec3::ZERO);
     let mut wanted = Wanted {
-        seen: Seen::new(scene, view, jitter),
+        seen: Seen::new(occluders, view, [0.0, 0.0]),
         lobes: lobes(scene, view.method),
         matte,
         by_stages: true,

@@ -51,8 +51,12 @@ modules! {
     DISK_PHONG = "disk_phong.wgsl";
     /// The pass's triangle.
     FULLSCREEN = "fullscreen.wgsl";
+    /// What rays meet.
+    PRIMITIVES = "primitives.wgsl";
     /// The first layer.
     GBUFFER = "gbuffer.wgsl";
+    /// Whether something stands between.
+    OCCLUSION = "occlusion.wgsl";
     /// A light's layer.
     LAYER = "layer.wgsl";
     /// A function over a table.

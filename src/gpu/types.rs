@@ -36,20 +36,52 @@ gpu_structs! {
         back: Vec3,
         height: f32,
         jitter: [f32; 2],
-        primitive_count: u32,
-        unused: u32,
+        unused: [u32; 2],
     }
 
-    /// A surface, about the eye.
+    /// How many there are of what rays meet.
+    Occluders {
+        always: u32,
+        primitives: u32,
+        primitive_nodes: u32,
+        nodes: u32,
+    }
+
+    /// A box about an item, or about other boxes.
+    Node {
+        least: Vec3,
+        skip: u32,
+        greatest: Vec3,
+        item: u32,
+    }
+
+    /// A primitive, about the eye.
     Primitive {
         local_from_world: [[f32; 4]; 3],
         world_from_local: [[f32; 4]; 3],
         eye_local: Vec3,
-        kind: u32,
-        origin: Vec3,
         material: u32,
-        size: Vec3,
+        origin: Vec3,
         unused: u32,
+        half: Vec3,
+        unused_too: u32,
+        quadric: [f32; 4],
+    }
+
+    /// A triangle, about the eye.
+    Triangle {
+        a: Vec3,
+        material: u32,
+        b: Vec3,
+        unused_0: u32,
+        c: Vec3,
+        unused_1: u32,
+        normal_a: Vec3,
+        unused_2: u32,
+        normal_b: Vec3,
+        unused_3: u32,
+        normal_c: Vec3,
+        unused_4: u32,
     }
 
     /// A material's lobe.

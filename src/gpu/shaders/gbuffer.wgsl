@@ -1,4 +1,4 @@
-// What the camera sees: rays against the primitives, in one full-screen pass.
+// What the camera sees: rays against primitives and triangles, in one full-screen pass.
 //
 // Positions are about the eye.
 
@@ -12,69 +12,35 @@ struct Camera {
     height: f32,
     // From the pixel's centre, in pixels.
     jitter: vec2f,
-    primitive_count: u32,
-    unused: u32,
+    unused: vec2u,
 }
-
-struct Primitive {
-    local_from_world: mat3x3f,
-    world_from_local: mat3x3f,
-    // The eye in the primitive's frame, and its kind.
-    eye_local: vec3f,
-    kind: u32,
-    // The primitive's origin about the eye, and its material.
-    origin: vec3f,
-    material: u32,
-    // Half edges; or radius and half height.
-    size: vec3f,
-    unused: u32,
-}
-
-const PLANE = 0u;
-const SPHERE = 1u;
-const BOX = 2u;
-const SQUARE = 3u;
-const DISK = 4u;
-const CYLINDER = 5u;
-const CONE = 6u;
-
-const MISS = -1.0;
 
 @group(0) @binding(0) var<uniform> camera: Camera;
-@group(0) @binding(1) var<storage, read> primitives: array<Primitive>;
-
-// Distance along the ray in units of its direction, MISS where there is none; position and normal in the same frame.
-struct Hit {
-    t: f32,
-    p: vec3f,
-    n: vec3f,
-}
 
 struct GBuffer {
-    // Position about the eye; surface + 1, 0 where nothing is seen.
+    // Position about the eye; item + 1, 0 where nothing is seen.
     @location(0) position: vec4f,
     // Unit normal towards the eye; material.
     @location(1) normal: vec4f,
 }
 
+// The nearest item so far: distance, and item + 1, 0 where there is none.
+struct Nearest {
+    t: f32,
+    item: u32,
+}
+
 @fragment
 fn gbuffer(@builtin(position) pixel: vec4f) -> GBuffer {
     let d = ray_direction(pixel.xy + camera.jitter);
-    var nearest = Hit(MISS, vec3f(), vec3f());
-    var surface = 0u;
-    for (var i = 0u; i < camera.primitive_count; i++) {
-        let hit = intersect_in_world(i, d);
-        if hit.t > 0.0 && (nearest.t < 0.0 || hit.t < nearest.t) {
-            nearest = hit;
-            surface = i + 1u;
-        }
-    }
-    if surface == 0u {
+    let nearest = nearest_triangle(d, nearest_primitive(d));
+    if nearest.item == 0u {
         // The direction stands in for the position: emitters behind everything are found by it.
         return GBuffer(vec4f(d, 0.0), vec4f());
     }
-    let n = select(-nearest.n, nearest.n, dot(nearest.n, d) < 0.0);
-    return GBuffer(vec4f(nearest.p, f32(surface)), vec4f(n, f32(primitives[surface - 1u].material)));
+    let seen = seen_at(d, nearest);
+    let n = select(-seen.normal.xyz, seen.normal.xyz, dot(seen.normal.xyz, d) < 0.0);
+    return GBuffer(vec4f(seen.position.xyz, f32(nearest.item)), vec4f(n, seen.normal.w));
 }
 
 fn ray_direction(pixel: vec2f) -> vec3f {
@@ -83,147 +49,92 @@ fn ray_direction(pixel: vec2f) -> vec3f {
     return normalize(x * camera.right + y * camera.up - camera.back);
 }
 
-fn intersect_in_world(index: u32, direction: vec3f) -> Hit {
-    let primitive = primitives[index];
-    let hit = intersect(primitive.kind, primitive.size, primitive.eye_local, primitive.local_from_world * direction);
-    return Hit(
-        hit.t,
-        primitive.world_from_local * hit.p + primitive.origin,
-        normalize(hit.n * primitive.local_from_world),
-    );
-}
-
-// Nearest hit in the primitive's frame.
-fn intersect(kind: u32, size: vec3f, origin: vec3f, d: vec3f) -> Hit {
-    if kind == PLANE || kind == SQUARE || kind == DISK {
-        return intersect_flat(kind, size, origin, d);
+fn nearest_primitive(d: vec3f) -> Nearest {
+    var nearest = Nearest(HUGE, 0u);
+    for (var i = 0u; i < occluders.always; i++) {
+        nearest = nearer(nearest, distance_of_primitive(i, d), i + 1u);
     }
-    // Start where the ray passes the primitive's centre: a far eye then costs no digits.
-    let to_centre = -dot(origin, d) / dot(d, d);
-    let o = origin + to_centre * d;
-    var span = vec2f(1.0, -1.0);
-    switch kind {
-        case SPHERE: { span = span_of_sphere(size.x, o, d); }
-        case BOX: { span = span_of_box(size, o, d); }
-        case CYLINDER: { span = span_of_cylinder(size.x, size.y, o, d); }
-        default: { span = span_of_cone(size.x, size.y, o, d); }
-    }
-    if span.x > span.y {
-        return Hit(MISS, vec3f(), vec3f());
-    }
-    let t = select(span.y, span.x, to_centre + span.x > 0.0);
-    let p = o + t * d;
-    return Hit(to_centre + t, p, normal_at(kind, size, p));
-}
-
-fn intersect_flat(kind: u32, size: vec3f, origin: vec3f, d: vec3f) -> Hit {
-    if d.z == 0.0 {
-        return Hit(MISS, vec3f(), vec3f());
-    }
-    let t = -origin.z / d.z;
-    let p = vec3f(origin.xy + t * d.xy, 0.0);
-    let outside = (kind == SQUARE && (abs(p.x) > size.x || abs(p.y) > size.y))
-        || (kind == DISK && dot(p.xy, p.xy) > size.x * size.x);
-    return Hit(select(t, MISS, outside), p, vec3f(0.0, 0.0, 1.0));
-}
-
-// The solids are convex: each is the ray's span between entry and exit, empty where entry > exit.
-const EMPTY = vec2f(1.0, -1.0);
-const HUGE = 1e30;
-
-// The sphere's closest approach to the ray is at t = 0.
-fn span_of_sphere(radius: f32, o: vec3f, d: vec3f) -> vec2f {
-    let half_squared = radius * radius - dot(o, o);
-    if half_squared < 0.0 {
-        return EMPTY;
-    }
-    let half = sqrt(half_squared / dot(d, d));
-    return vec2f(-half, half);
-}
-
-fn span_of_slab(half: f32, o: f32, d: f32) -> vec2f {
-    if abs(d) < 1e-20 {
-        return select(EMPTY * HUGE, vec2f(-HUGE, HUGE), abs(o) <= half);
-    }
-    let a = (-half - o) / d;
-    let b = (half - o) / d;
-    return vec2f(min(a, b), max(a, b));
-}
-
-fn both(a: vec2f, b: vec2f) -> vec2f {
-    return vec2f(max(a.x, b.x), min(a.y, b.y));
-}
-
-fn span_of_box(half: vec3f, o: vec3f, d: vec3f) -> vec2f {
-    return both(both(span_of_slab(half.x, o.x, d.x), span_of_slab(half.y, o.y, d.y)), span_of_slab(half.z, o.z, d.z));
-}
-
-fn span_of_cylinder(radius: f32, half_height: f32, o: vec3f, d: vec3f) -> vec2f {
-    let a = dot(d.xy, d.xy);
-    let c = dot(o.xy, o.xy) - radius * radius;
-    var side = vec2f(-HUGE, HUGE);
-    if a < 1e-20 {
-        if c > 0.0 {
-            return EMPTY;
+    let inverse = inverse_of(d);
+    var at = 0u;
+    while at < occluders.primitive_nodes {
+        // To the next leaf, then what it holds: a device that runs several rays at once finds all their leaves first.
+        var item = 0u;
+        while at < occluders.primitive_nodes && item == 0u {
+            let is_met = meets(nodes[at], vec3f(), inverse, nearest.t);
+            item = select(0u, nodes[at].item, is_met);
+            at = select(nodes[at].skip, at + 1u, is_met);
         }
-    } else {
-        let b = dot(o.xy, d.xy);
-        let discriminant = b * b - a * c;
-        if discriminant < 0.0 {
-            return EMPTY;
+        if item > 0u {
+            nearest = nearer(nearest, distance_of_primitive(item - 1u, d), item);
         }
-        let root = sqrt(discriminant);
-        side = vec2f(-b - root, -b + root) / a;
     }
-    return both(side, span_of_slab(half_height, o.z, d.z));
+    return nearest;
 }
 
-// Between base and apex only the lower nappe of x² + y² = k²(h − z)² counts.
-fn span_of_cone(radius: f32, half_height: f32, o: vec3f, d: vec3f) -> vec2f {
-    let k = radius / (2.0 * half_height);
-    let w = half_height - o.z;
-    let a = dot(d.xy, d.xy) - k * k * d.z * d.z;
-    let b = dot(o.xy, d.xy) + k * k * w * d.z;
-    let c = dot(o.xy, o.xy) - k * k * w * w;
-    let slab = span_of_slab(half_height, o.z, d.z);
-    let discriminant = b * b - a * c;
-    if discriminant < 0.0 {
-        return EMPTY;
+fn nearest_triangle(d: vec3f, first: Nearest) -> Nearest {
+    var nearest = first;
+    let inverse = inverse_of(d);
+    let section = section_of(d);
+    var at = occluders.primitive_nodes;
+    while at < occluders.nodes {
+        var item = 0u;
+        while at < occluders.nodes && item == 0u {
+            let is_met = meets(nodes[at], vec3f(), inverse, nearest.t);
+            item = select(0u, nodes[at].item, is_met);
+            at = select(nodes[at].skip, at + 1u, is_met);
+        }
+        if item > 0u {
+            nearest = nearer(nearest, distance_of_triangle(item - 1u - occluders.primitives, d, section), item);
+        }
     }
-    // Roots without cancellation: q/a and c/q.
-    let q = -(b + select(-1.0, 1.0, b >= 0.0) * sqrt(discriminant));
-    if abs(q) < 1e-30 {
-        return EMPTY;
-    }
-    let near = c / q;
-    let far = select(HUGE, q / a, abs(a) > 1e-20);
-    let roots = vec2f(min(near, far), max(near, far));
-    if a > 0.0 {
-        return both(roots, slab);
-    }
-    // A ray steeper than the side is inside before the first root and after the second, one of each nappe.
-    let lower = select(vec2f(-HUGE, roots.x), vec2f(roots.y, HUGE), d.z < 0.0);
-    return both(lower, slab);
+    return nearest;
 }
 
-// Outward normal, of any length, at a point on the surface of a solid.
-fn normal_at(kind: u32, size: vec3f, p: vec3f) -> vec3f {
-    if kind == SPHERE {
-        return p;
+fn nearer(nearest: Nearest, t: f32, item: u32) -> Nearest {
+    if t > 0.0 && t < nearest.t {
+        return Nearest(t, item);
     }
-    if kind == BOX {
-        // The face that the point is nearest to.
-        let depth = abs(p) - size;
-        let x = depth.x >= depth.y && depth.x >= depth.z;
-        let y = !x && depth.y >= depth.z;
-        return sign(p) * vec3f(f32(x), f32(y), f32(!x && !y));
+    return nearest;
+}
+
+// Negative where it is missed.
+fn distance_of_primitive(i: u32, direction: vec3f) -> f32 {
+    let d = primitives[i].local_from_world * direction;
+    let o = primitives[i].eye_local;
+    let span = both(span_of_slabs(primitives[i].half, o, d), span_of_quadric(primitives[i].quadric, o, d, false));
+    return select(select(span.y, span.x, span.x > 0.0), -1.0, span.x > span.y);
+}
+
+fn distance_of_triangle(i: u32, d: vec3f, section: Section) -> f32 {
+    let a = triangles[i].a;
+    let b = triangles[i].b;
+    let c = triangles[i].c;
+    let areas = cut_areas(section, a, b, c);
+    let sum = areas.x + areas.y + areas.z;
+    let t = dot(areas, vec3f(dot(a, d), dot(b, d), dot(c, d))) / select(sum, 1.0, sum == 0.0);
+    return select(-1.0, t, one_sign(areas));
+}
+
+// Position, and normal and material, of what is seen.
+fn seen_at(d: vec3f, nearest: Nearest) -> GBuffer {
+    let item = nearest.item - 1u;
+    if item < occluders.primitives {
+        let primitive = primitives[item];
+        let local_d = primitive.local_from_world * d;
+        // From where the ray passes the primitive's centre: a far eye then costs no digits.
+        let to_center = -dot(primitive.eye_local, local_d) / dot(local_d, local_d);
+        let p = (primitive.eye_local + to_center * local_d) + (nearest.t - to_center) * local_d;
+        let face = face_at(primitive.half, primitive.quadric, p);
+        let position = primitive.world_from_local * face.p + primitive.origin;
+        return GBuffer(
+            vec4f(position, 0.0),
+            vec4f(normalize(face.n * primitive.local_from_world), f32(primitive.material)),
+        );
     }
-    let cap = abs(p.z) - size.y;
-    if kind == CYLINDER {
-        return select(vec3f(p.xy, 0.0), vec3f(0.0, 0.0, sign(p.z)), cap > length(p.xy) - size.x);
-    }
-    let k = size.x / (2.0 * size.y);
-    let side = (length(p.xy) - k * (size.y - p.z)) / sqrt(1.0 + k * k);
-    let slant = vec3f(p.xy, k * k * (size.y - p.z));
-    return select(slant, vec3f(0.0, 0.0, -1.0), -p.z - size.y > side);
+    let triangle = triangles[item - occluders.primitives];
+    let areas = cut_areas(section_of(d), triangle.a, triangle.b, triangle.c);
+    let shares = areas / (areas.x + areas.y + areas.z);
+    let position = shares.x * triangle.a + shares.y * triangle.b + shares.z * triangle.c;
+    let n = shares.x * triangle.normal_a + shares.y * triangle.normal_b + shares.z * triangle.normal_c;
+    return GBuffer(vec4f(position, 0.0), vec4f(normalize(n), f32(triangle.material)));
 }

@@ -7,9 +7,9 @@ struct TwinRow {
     unused: u32,
 }
 
-@group(2) @binding(0) var<storage, read> twin_rows: array<TwinRow>;
-@group(2) @binding(1) var<storage, read> twin_numbers: array<f32>;
-@group(2) @binding(2) var<storage, read_write> twin_results: array<f32>;
+@group(3) @binding(0) var<storage, read> twin_rows: array<TwinRow>;
+@group(3) @binding(1) var<storage, read> twin_numbers: array<f32>;
+@group(3) @binding(2) var<storage, read_write> twin_results: array<f32>;
 
 var<private> row: TwinRow;
 // The row's entry in `lobes`.
