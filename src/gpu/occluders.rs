@@ -8,6 +8,7 @@ use super::pass::{self, Binding};
 use super::types::{Node, Occluders as Counts, Primitive, Triangle, f32_of, u32_of, vec3_of, vec4_of};
 use crate::scene::Scene;
 use crate::surface::{self, Bounds, Placed, Surface};
+use crate::visibility::{self, Hierarchy};
 
 /// Half the thickness of a slab that is none.
 const UNBOUNDED: f64 = 1e15;
@@ -71,17 +72,38 @@ pub(crate) struct Items {
     primitives: Vec<Item>,
     triangles: Vec<Item>,
     /// Primitives that are in no box.
-    always: usize,
+    always: u32,
     primitive_nodes: Vec<BoxNode>,
     triangle_nodes: Vec<BoxNode>,
 }
 
-/// A node; of a leaf, `item` is a place in its list.
+/// A node; of a leaf, `item` is a place among the primitives or triangles.
 #[derive(Clone, Copy, Debug)]
 struct BoxNode {
     bounds: Bounds,
     skip: u32,
-    item: Option<usize>,
+    item: Option<u32>,
+}
+
+/// Items in the order in which a hierarchy's boxes are walked, after those that it has no boxes for, their number, and
+/// its nodes.
+fn in_boxes(items: Vec<Item>) -> (Vec<Item>, u32, Vec<BoxNode>) {
+    let placed: Vec<_> = items.iter().map(|item| item.placed.clone()).collect();
+    let hierarchy = Hierarchy::new(&placed);
+    let always = u32_of(hierarchy.unbounded().len());
+    let mut order = hierarchy.unbounded().to_vec();
+    let mut number = |object: u32| {
+        order.push(object);
+        u32_of(order.len() - 1)
+    };
+    let node = |node: &visibility::Node| BoxNode {
+        bounds: node.bounds,
+        skip: node.skip,
+        item: node.object.map(&mut number),
+    };
+    let nodes = hierarchy.nodes().iter().map(node).collect();
+    let items = order.iter().filter_map(|&object| items.get(object as usize).cloned()).collect();
+    (items, always, nodes)
 }
 
 impl Items {
@@ -93,22 +115,9 @@ impl Items {
         let items = items.filter(|item| item.placed.local_from_world().is_finite());
         let (triangles, primitives): (Vec<_>, Vec<_>) =
             items.partition(|item| matches!(item.placed.primitive(), surface::Primitive::Triangle(_)));
-        let (bounded, always): (Vec<_>, Vec<_>) = primitives.into_iter().partition(|item| item.placed.bounds().is_some());
-        let always_count = always.len();
-        let primitives: Vec<_> = always.into_iter().chain(bounded).collect();
-        let boxes = |items: &[Item], first: usize| -> Vec<BoxNode> {
-            let bounds = items.iter().enumerate().skip(first).filter_map(|(i, item)| Some((i, item.placed.bounds()?)));
-            let node = |(skip, (item, bounds))| BoxNode { bounds, skip, item: Some(item) };
-            (1..).zip(bounds).map(node).collect()
-        };
-        Self {
-            surfaces: surfaces.to_vec(),
-            primitive_nodes: boxes(&primitives, always_count),
-            triangle_nodes: boxes(&triangles, 0),
-            always: always_count,
-            primitives,
-            triangles,
-        }
+        let (primitives, always, primitive_nodes) = in_boxes(primitives);
+        let (triangles, _, triangle_nodes) = in_boxes(triangles);
+        Self { surfaces: surfaces.to_vec(), primitives, triangles, always, primitive_nodes, triangle_nodes }
     }
 
     /// All that the shaders read, about an eye.
@@ -123,7 +132,7 @@ impl Items {
         let nodes: Vec<_> = nodes.collect();
         Data {
             counts: Counts {
-                always: u32_of(self.always),
+                always: self.always,
                 primitives: u32_of(self.primitives.len()),
                 primitive_nodes: u32_of(self.primitive_nodes.len()),
                 nodes: u32_of(nodes.len()),
@@ -145,7 +154,7 @@ impl BoxNode {
             least: vec3_of(least - reach),
             skip: self.skip.saturating_add(u32_of(first_node)),
             greatest: vec3_of(greatest + reach),
-            item: self.item.map_or(0, |item| u32_of(first_item + item + 1)),
+            item: self.item.map_or(0, |item| item + u32_of(first_item) + 1),
         }
     }
 }

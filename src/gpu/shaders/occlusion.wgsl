@@ -63,10 +63,10 @@ fn hidden_by_triangles(p: vec3f, d: vec3f, own: u32) -> bool {
 fn primitive_hides(i: u32, p: vec3f, to_light: vec3f, is_own: bool) -> bool {
     let quadric = primitives[i].quadric;
     let half = primitives[i].half;
-    let from = onto_slabs(half, local_point(i, p), local_rounding(i, p), is_own, quadric);
+    let start = onto_slabs(half, local_point(i, p), local_rounding(i, p), is_own, quadric);
     let to = onto_slabs(half, local_point(i, p + to_light), local_rounding(i, p + to_light), false, quadric).p;
-    let d = to - from.p;
-    let span = both(span_of_slabs(half, from.p, d), span_of_quadric(quadric, from.p, d, from.on_quadric));
+    let d = to - start.p;
+    let span = both(span_of_slabs(half, start.p, d), span_of_quadric(quadric, start.p, d, start.on_quadric));
     let crossing = select(span.y, span.x, span.x > 0.0);
     return span.x <= span.y && crossing > 0.0 && crossing < 1.0 - ROUNDING;
 }
