@@ -200,27 +200,25 @@ fn columns(matrix: &DMat3) -> [[f32; 4]; 3] {
     [matrix.x_axis, matrix.y_axis, matrix.z_axis].map(|column| vec4_of(column, 0.0))
 }
 
-/// Half the thickness of three slabs, and ρ, α, β, γ of the quadric ρ(x² + y²) + αz² + 2βz + γ ≤ 0, that the primitive
+/// Half the thickness of three slabs, and ρ, α, γ, z₀ of the quadric ρ(x² + y²) + α(z − z₀)² + γ ≤ 0, that the primitive
 /// is the common part of.
 fn slabs_and_quadric(primitive: &surface::Primitive) -> (DVec3, [f64; 4]) {
-    const EVERYWHERE: [f64; 4] = [0.0, 0.0, 0.0, -1.0];
+    const EVERYWHERE: [f64; 4] = [0.0, 0.0, -1.0, 0.0];
     let across = |half| DVec3::new(UNBOUNDED, UNBOUNDED, half);
-    let around = |radius: f64| [1.0, 0.0, 0.0, -radius * radius];
+    let around = |radius: f64| [1.0, 0.0, -radius * radius, 0.0];
     match *primitive {
         surface::Primitive::Plane => (across(0.0), EVERYWHERE),
         surface::Primitive::Square { size } => (0.5 * size.extend(0.0), EVERYWHERE),
         surface::Primitive::Box { size } => (0.5 * size, EVERYWHERE),
-        surface::Primitive::Sphere { radius } => (DVec3::splat(UNBOUNDED), [1.0, 1.0, 0.0, -radius * radius]),
+        surface::Primitive::Sphere { radius } => (DVec3::splat(UNBOUNDED), [1.0, 1.0, -radius * radius, 0.0]),
         surface::Primitive::Disk { radius } => (across(0.0), around(radius)),
         surface::Primitive::Cylinder { radius, height } => (across(0.5 * height), around(radius)),
         surface::Primitive::Cone { radius, height } => {
-            // x² + y² = k²(h/2 − z)²
-            let (apex, slope) = (0.5 * height, radius / height);
-            let square = slope * slope;
-            (across(apex), [1.0, -square, square * apex, -square * apex * apex])
+            let slope = radius / height;
+            (across(0.5 * height), [1.0, -slope * slope, 0.0, 0.5 * height])
         }
         // Met as triangles.
-        surface::Primitive::Triangle(_) | surface::Primitive::Patch(_) => (DVec3::ZERO, [0.0, 0.0, 0.0, 1.0]),
+        surface::Primitive::Triangle(_) | surface::Primitive::Patch(_) => (DVec3::ZERO, [0.0, 0.0, 1.0, 0.0]),
     }
 }
 

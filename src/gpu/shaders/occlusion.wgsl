@@ -63,9 +63,9 @@ fn hidden_by_triangles(p: vec3f, d: vec3f, own: u32) -> bool {
 fn primitive_hides(i: u32, p: vec3f, to_light: vec3f, is_own: bool) -> bool {
     let quadric = primitives[i].quadric;
     let half = primitives[i].half;
-    let start = onto_slabs(half, local_point(i, p), local_rounding(i, p), is_own, quadric);
-    let to = onto_slabs(half, local_point(i, p + to_light), local_rounding(i, p + to_light), false, quadric).p;
-    let d = to - start.p;
+    let start = onto_faces(half, quadric, local_point(i, p), local_rounding(i, p), is_own);
+    let end = onto_faces(half, quadric, local_point(i, p + to_light), local_rounding(i, p + to_light), false);
+    let d = end.p - start.p;
     let span = both(span_of_slabs(half, start.p, d), span_of_quadric(quadric, start.p, d, start.on_quadric));
     let crossing = select(span.y, span.x, span.x > 0.0);
     return span.x <= span.y && crossing > 0.0 && crossing < 1.0 - ROUNDING;
@@ -87,12 +87,11 @@ struct Snapped {
     on_quadric: bool,
 }
 
-fn onto_slabs(half: vec3f, p: vec3f, rounding: vec3f, is_own: bool, quadric: vec4f) -> Snapped {
+fn onto_faces(half: vec3f, quadric: vec4f, p: vec3f, rounding: vec3f, is_own: bool) -> Snapped {
     let depth = abs(half - abs(p));
     let least = min(depth.x, min(depth.y, depth.z));
-    let gradient = vec3f(quadric.x * p.xy, quadric.y * p.z + quadric.z);
-    let value = quadric.x * dot(p.xy, p.xy) + (quadric.y * p.z + 2.0 * quadric.z) * p.z + quadric.w;
-    let on_quadric = is_own && abs(value) < 2.0 * least * length(gradient);
+    let round = 2.0 * least * length(quadric_gradient(quadric, p));
+    let on_quadric = is_own && abs(quadric_at(quadric, p)) < round;
     // Of what p lies on, the nearest face is under it however far off rounding has it.
     let reach = select(rounding, max(rounding, vec3f(least)), is_own && !on_quadric);
     return Snapped(select(p, select(-half, half, p >= vec3f()), depth <= reach), on_quadric);

@@ -1,6 +1,6 @@
 // What rays meet: primitives and triangles about the eye, and the hierarchies of boxes about them.
 //
-// A primitive is convex in its own frame: three slabs |x| ≤ half, and one quadric Q = ρ(x² + y²) + αz² + 2βz + γ ≤ 0.
+// A primitive is convex in its own frame: three slabs |x| ≤ half, and one quadric Q = ρ(x² + y²) + α(z − z₀)² + γ ≤ 0.
 // A sphere has no slabs, a box no quadric; a cylinder and a cone have one slab across Z; flat ones are slabs of no
 // thickness. One piece of code so does for all of them, where a device would run every branch of a choice.
 //
@@ -36,7 +36,7 @@ struct Primitive {
     // Half the slabs' thickness.
     half: vec3f,
     unused_too: u32,
-    // ρ, α, β, γ
+    // ρ, α, γ, z₀
     quadric: vec4f,
 }
 
@@ -99,21 +99,29 @@ fn span_of_slabs(half: vec3f, o: vec3f, d: vec3f) -> vec2f {
     return vec2f(max(near.x, max(near.y, near.z)), min(far.x, min(far.y, far.z)));
 }
 
-// Inside the quadric; `on`: its surface holds o. A cone's upper nappe counts as outside.
+fn quadric_at(quadric: vec4f, p: vec3f) -> f32 {
+    let z = p.z - quadric.w;
+    return quadric.x * dot(p.xy, p.xy) + quadric.y * z * z + quadric.z;
+}
+
+// Half of it.
+fn quadric_gradient(quadric: vec4f, p: vec3f) -> vec3f {
+    return vec3f(quadric.x * p.xy, quadric.y * (p.z - quadric.w));
+}
+
+// Inside the quadric; `on`: its surface holds o. A cone's upper nappe counts as outside of rays that are in both.
 fn span_of_quadric(quadric: vec4f, o: vec3f, d: vec3f, on: bool) -> vec2f {
-    let rho = quadric.x;
-    let alpha = quadric.y;
-    let a = rho * dot(d.xy, d.xy) + alpha * d.z * d.z;
+    let a = quadric.x * dot(d.xy, d.xy) + quadric.y * d.z * d.z;
     if on {
-        let b = rho * dot(o.xy, d.xy) + (alpha * o.z + quadric.z) * d.z;
-        let other = select(HUGE * sign(-b), -2.0 * b / a, abs(a) > 1e-30);
+        let b = dot(quadric_gradient(quadric, o), d);
+        let other = select(-HUGE * sign(b), -2.0 * b / a, abs(a) > 1e-30);
         return nappe(a, d, vec2f(min(other, 0.0), max(other, 0.0)));
     }
     // From where the ray passes the centre: a far origin then costs no digits.
     let shift = -dot(o, d) / dot(d, d);
     let p = o + shift * d;
-    let b = rho * dot(p.xy, d.xy) + (alpha * p.z + quadric.z) * d.z;
-    let c = rho * dot(p.xy, p.xy) + (alpha * p.z + 2.0 * quadric.z) * p.z + quadric.w;
+    let b = dot(quadric_gradient(quadric, p), d);
+    let c = quadric_at(quadric, p);
     let discriminant = b * b - a * c;
     // Roots without cancellation: q/a and c/q.
     let q = -(b + select(-1.0, 1.0, b >= 0.0) * sqrt(max(discriminant, 0.0)));
@@ -139,9 +147,8 @@ struct Face {
 
 // The face that is nearest to p, and p on it.
 fn face_at(half: vec3f, quadric: vec4f, p: vec3f) -> Face {
-    let gradient = vec3f(quadric.x * p.xy, quadric.y * p.z + quadric.z);
-    let value = quadric.x * dot(p.xy, p.xy) + (quadric.y * p.z + 2.0 * quadric.z) * p.z + quadric.w;
-    let round = abs(value) / max(2.0 * length(gradient), 1e-30);
+    let gradient = quadric_gradient(quadric, p);
+    let round = abs(quadric_at(quadric, p)) / max(2.0 * length(gradient), 1e-30);
     let depth = abs(half - abs(p));
     let x = depth.x <= depth.y && depth.x <= depth.z;
     let y = !x && depth.y <= depth.z;
