@@ -4,6 +4,7 @@ mod cases;
 mod disk;
 mod disks_caps_and_skies;
 mod line;
+mod line_shadows;
 mod lobes;
 mod one_shot;
 mod polygon;

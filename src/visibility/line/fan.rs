@@ -16,28 +16,32 @@ pub(super) struct Fan {
 
 impl Fan {
     /// W(t).
+    #[inline]
     pub(super) fn at(&self, t: f64) -> DVec3 {
         (1.0 - t) * self.a + t * self.b
     }
 
     /// A part of it, as a fan.
+    #[inline]
     pub(super) fn between(&self, part: Range) -> Self {
         Self { a: self.at(part.from), b: self.at(part.to), ..*self }
     }
 
     /// The same that ends before the light, so that what touches the light is not met.
+    #[inline]
     pub(super) fn short_of_the_light(&self) -> Self {
         Self { a: (1.0 - AT_END) * self.a, b: (1.0 - AT_END) * self.b, ..*self }
     }
 
     /// The same in another frame; none in that of a flattened object, which is never hit.
+    #[inline]
     pub(super) fn seen_from(&self, local_from_world: &DAffine3) -> Option<Self> {
         let local = Self {
             p: local_from_world.transform_point3(self.p),
             a: local_from_world.transform_vector3(self.a),
             b: local_from_world.transform_vector3(self.b),
         };
-        (local.p.is_finite() && local.a.is_finite() && local.b.is_finite()).then_some(local)
+        (local.p + local.a + local.b).is_finite().then_some(local)
     }
 }
 
@@ -52,6 +56,7 @@ impl Range {
     pub(super) const ALL: Self = Self { from: 0.0, to: 1.0 };
 
     /// The part of positive length where a linear function is ≥ 0 that has these values at 0 and at 1.
+    #[inline]
     pub(super) fn where_not_negative(self, at_0: f64, at_1: f64) -> Option<Self> {
         let part = match (at_0 >= 0.0, at_1 >= 0.0) {
             (true, true) => self,
@@ -63,6 +68,7 @@ impl Range {
     }
 
     /// The same where it is > 0: nothing of a function that is 0 all along.
+    #[inline]
     pub(super) fn where_positive(self, at_0: f64, at_1: f64) -> Option<Self> {
         if at_0 > 0.0 || at_1 > 0.0 { self.where_not_negative(at_0, at_1) } else { None }
     }

@@ -22,6 +22,7 @@ pub(super) struct Fall {
 
 impl Fall {
     /// On the plane where the coordinate of that axis has the value `at`.
+    #[inline]
     pub(super) fn new(fan: &Fan, axis: usize, at: f64) -> Self {
         let along = |v: DVec3| DVec2::new(v[(axis + 1) % 3], v[(axis + 2) % 3]);
         let height = fan.p[axis] - at;
@@ -34,6 +35,7 @@ impl Fall {
     }
 
     /// Where the light lies behind the plane.
+    #[inline]
     fn behind(&self) -> Option<Range> {
         let [fall_a, fall_b] = self.fall;
         Range::ALL.where_positive(fall_a - self.height, fall_b - self.height)

@@ -32,7 +32,7 @@ thread_local! {
 ///
 /// **Source:** [`crate::refs::POULIN_AMANATIDES_1990`], §5; the forms derived here. **Domain:** a surface is a shell
 /// (see [`crate::visibility`]); a light's point within 1e-9 of its distance behind a surface is seen.
-/// **Accuracy:** rounding, but for patches: see [`patch`].
+/// **Accuracy:** rounding, but for patches: 1e-6 of its length, of shadows as wide as the step of a first pass of rays.
 pub fn visible_segments(objects: &Objects, p: DVec3, n: DVec3, [a, b]: [DVec3; 2]) -> Option<Segments> {
     let whole = Fan { p, a: a - p, b: b - p };
     let Some(above) = Range::ALL.where_positive(n.dot(whole.a), n.dot(whole.b)) else {
