@@ -9,6 +9,7 @@ mod lobes;
 mod one_shot;
 mod polygon;
 mod polygon_properties;
+mod polygon_shadows;
 mod properties;
 mod random;
 mod reference;

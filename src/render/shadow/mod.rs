@@ -6,17 +6,21 @@
 
 mod rays;
 
+use glam::DVec3;
+
 use crate::light::{Emitter, LineEmitter, PolygonEmitter};
 use crate::shading::{Lobe, Method, Prepared, Response, ShadingPoint, respond};
 use crate::visibility::Objects;
 use crate::visibility::line::visible_segments;
-use crate::visibility::polygon::visible_pieces;
+use crate::visibility::polygon::{Seen, visible_pieces};
 
 /// What is seen of a light.
 enum Visible {
     All,
     /// These lights, together.
     Parts(Vec<Emitter>),
+    /// All but these lights.
+    AllBut(Vec<Emitter>),
     /// These shares of the diffuse and the specular response.
     Shares([f64; 2]),
 }
@@ -31,23 +35,34 @@ pub(super) fn shadowed_response(objects: &Objects, light: &Prepared, at: &Shadin
         Visible::All => light.respond(at, lobe),
         Visible::Shares([0.0, 0.0]) => Response::default(),
         Visible::Shares(shares) => scaled(light.respond(at, lobe), shares),
-        Visible::Parts(parts) => {
-            let exact = if light.method() == Method::Reference { Method::Reference } else { Method::Exact };
-            let seen = parts.iter().map(|part| respond(part, exact, at, lobe));
-            let seen = seen.fold(Response::default(), |a, b| Response {
-                irradiance: a.irradiance + b.irradiance,
-                specular: a.specular + b.specular,
-            });
-            if light.method() == exact {
-                return seen;
+        Visible::Parts(parts) => of_what_is_seen(light, at, lobe, |exact| sum(&parts, exact, at, lobe)),
+        Visible::AllBut(parts) => of_what_is_seen(light, at, lobe, |exact| {
+            let (all, hidden) = (respond(light.emitter(), exact, at, lobe), sum(&parts, exact, at, lobe));
+            Response {
+                irradiance: (all.irradiance - hidden.irradiance).max(0.0),
+                specular: (all.specular - hidden.specular).max(0.0),
             }
-            let whole = respond(light.emitter(), Method::Exact, at, lobe);
-            scaled(
-                light.respond(at, lobe),
-                [share(seen.irradiance, whole.irradiance), share(seen.specular, whole.specular)],
-            )
-        }
+        }),
     }
+}
+
+/// The response to what is seen of a light: by an exact method `seen`, else in its proportion.
+fn of_what_is_seen(light: &Prepared, at: &ShadingPoint, lobe: &Lobe, seen: impl Fn(Method) -> Response) -> Response {
+    let exact = if light.method() == Method::Reference { Method::Reference } else { Method::Exact };
+    let seen = seen(exact);
+    if light.method() == exact {
+        return seen;
+    }
+    let all = respond(light.emitter(), Method::Exact, at, lobe);
+    scaled(light.respond(at, lobe), [share(seen.irradiance, all.irradiance), share(seen.specular, all.specular)])
+}
+
+fn sum(parts: &[Emitter], method: Method, at: &ShadingPoint, lobe: &Lobe) -> Response {
+    let responses = parts.iter().map(|part| respond(part, method, at, lobe));
+    responses.fold(Response::default(), |a, b| Response {
+        irradiance: a.irradiance + b.irradiance,
+        specular: a.specular + b.specular,
+    })
 }
 
 /// The share of the whole that is seen, at most 1.
@@ -60,6 +75,7 @@ fn scaled(response: Response, [diffuse, specular]: [f64; 2]) -> Response {
 }
 
 fn visible(objects: &Objects, light: &Prepared, at: &ShadingPoint, lobe: &Lobe) -> Visible {
+    let by_rays = || rays::visible_shares(objects, light.emitter(), at, lobe).map_or(Visible::All, Visible::Shares);
     match light.emitter() {
         Emitter::Line(line) => {
             let Some(segments) = visible_segments(objects, at.p, at.n, [line.a, line.b]) else { return Visible::All };
@@ -68,22 +84,28 @@ fn visible(objects: &Objects, light: &Prepared, at: &ShadingPoint, lobe: &Lobe) 
                 parts => Visible::Parts(parts.iter().map(|&[from, to]| segment(line, from, to)).collect()),
             }
         }
-        Emitter::Polygon(polygon) => match visible_pieces(objects, at.p, &polygon.vertices) {
-            None => Visible::All,
-            Some(pieces) if pieces.is_empty() => Visible::NOTHING,
-            Some(pieces) => {
-                let piece = |vertices| Emitter::Polygon(PolygonEmitter { vertices, ..polygon.clone() });
-                Visible::Parts(pieces.into_iter().map(piece).collect())
-            }
+        Emitter::Polygon(polygon) => match visible_pieces(objects, at.p, at.n, &polygon.vertices) {
+            Seen::All => Visible::All,
+            Seen::Nothing => Visible::NOTHING,
+            Seen::Pieces(pieces) => Visible::Parts(pieces_of(polygon, pieces)),
+            Seen::AllBut(pieces) => Visible::AllBut(pieces_of(polygon, pieces)),
+            Seen::Unknown => by_rays(),
         },
         Emitter::Point(point) => shut(objects.hides(at.p, point.position - at.p)),
         Emitter::Directional(light) => shut(objects.hides_direction(at.p, light.to_light)),
-        emitter => rays::visible_shares(objects, emitter, at, lobe).map_or(Visible::All, Visible::Shares),
+        _ => by_rays(),
     }
 }
 
 fn shut(hidden: bool) -> Visible {
     if hidden { Visible::NOTHING } else { Visible::All }
+}
+
+/// Parts of a polygon.
+fn pieces_of(polygon: &PolygonEmitter, pieces: Vec<Vec<DVec3>>) -> Vec<Emitter> {
+    let place =
+        |vertices| Emitter::Polygon(PolygonEmitter { vertices, normal: polygon.normal, two_sided: polygon.two_sided });
+    pieces.into_iter().map(place).collect()
 }
 
 /// A part of a line, from one share of its length to another.
