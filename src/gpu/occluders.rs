@@ -96,11 +96,8 @@ fn in_boxes(items: Vec<Item>) -> (Vec<Item>, u32, Vec<BoxNode>) {
         order.push(object);
         u32_of(order.len() - 1)
     };
-    let node = |node: &visibility::Node| BoxNode {
-        bounds: node.bounds,
-        skip: node.skip,
-        item: node.object.map(&mut number),
-    };
+    let node =
+        |node: &visibility::Node| BoxNode { bounds: node.bounds, skip: node.skip, item: node.object.map(&mut number) };
     let nodes = hierarchy.nodes().iter().map(node).collect();
     let items = order.iter().filter_map(|&object| items.get(object as usize).cloned()).collect();
     (items, always, nodes)
@@ -124,11 +121,10 @@ impl Items {
     pub(crate) fn about(&self, eye: DVec3, materials: &[u32]) -> Data {
         let material = |item: &Item| materials.get(item.surface).copied().unwrap_or_default();
         let first_triangle = self.primitives.len();
-        let nodes = self
-            .primitive_nodes
-            .iter()
-            .map(|node| node.about(eye, 0, 0))
-            .chain(self.triangle_nodes.iter().map(|node| node.about(eye, self.primitive_nodes.len(), first_triangle)));
+        let nodes =
+            self.primitive_nodes.iter().map(|node| node.about(eye, 0, 0)).chain(
+                self.triangle_nodes.iter().map(|node| node.about(eye, self.primitive_nodes.len(), first_triangle)),
+            );
         let nodes: Vec<_> = nodes.collect();
         Data {
             counts: Counts {

@@ -3,7 +3,7 @@
 //! From p the light is a fan of directions W(t) = A + t(B − A), 0 ≤ t ≤ 1, with A and B from p to its ends. An affine map
 //! leaves t as it is, so everything happens in an occluder's own frame, and ellipsoids come free. What a flat occluder
 //! hides is where a few linear functions of t are positive; what a solid one hides lies between tangents from p and
-//! points where its faces cross the sides of the light's triangle. No shape is sampled but the bicubic patch.
+//! points where its faces cross the sides of the light's triangle. A bicubic patch is divided until its edges are known.
 
 mod fan;
 mod flat;
@@ -32,7 +32,7 @@ thread_local! {
 ///
 /// **Source:** [`crate::refs::POULIN_AMANATIDES_1990`], §5; the forms derived here. **Domain:** a surface is a shell
 /// (see [`crate::visibility`]); a light's point within 1e-9 of its distance behind a surface is seen.
-/// **Accuracy:** rounding, but for patches: 1e-6 of its length, of shadows as wide as the step of a first pass of rays.
+/// **Accuracy:** rounding, but for patches: 1e-6 of its length at each end of a shadow.
 pub fn visible_segments(objects: &Objects, p: DVec3, n: DVec3, [a, b]: [DVec3; 2]) -> Option<Segments> {
     let whole = Fan { p, a: a - p, b: b - p };
     let Some(above) = Range::ALL.where_positive(n.dot(whole.a), n.dot(whole.b)) else {
