@@ -11,6 +11,7 @@
 //! | [`shading`] | what a light does at a point: [`shading::Method`], then one file a light shape |
 //! | [`surface`] | primitives, materials, rays |
 //! | [`visibility`] | what comes between a point and a light |
+//! | [`contents`] | the bytes of a file that a scene names |
 //! | [`scene`] | the document: load, save, validate, edit, history |
 //! | [`render`] | CPU pictures |
 //! | [`analysis`] | curves, errors, cost |
@@ -29,6 +30,7 @@
 
 pub mod analysis;
 pub mod cli;
+pub mod contents;
 pub mod export;
 pub mod light;
 pub mod math;

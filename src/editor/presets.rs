@@ -56,19 +56,24 @@ pub const SCENES: &[Preset] = &[
     Preset { stem: "patio", text: include_str!("../../presets/scenes/patio.toml") },
     Preset { stem: "leaf-shade", text: include_str!("../../presets/scenes/leaf-shade.toml") },
     Preset { stem: "chapel", text: include_str!("../../presets/scenes/chapel.toml") },
+    Preset { stem: "sail", text: include_str!("../../presets/scenes/sail.toml") },
+    Preset { stem: "vase", text: include_str!("../../presets/scenes/vase.toml") },
+    Preset { stem: "sphereflake", text: include_str!("../../presets/scenes/sphereflake.toml") },
+    Preset { stem: "tetrahedron", text: include_str!("../../presets/scenes/tetrahedron.toml") },
     Preset { stem: "reflections", text: include_str!("../../presets/scenes/reflections.toml") },
 ];
 
-/// The patterns that the presets' lights name.
-const PATTERNS: &[(&str, &[u8])] = &[
+/// The files that the presets name.
+const FILES: &[(&str, &[u8])] = &[
     ("textures/lattice.png", include_bytes!("../../presets/scenes/textures/lattice.png")),
     ("textures/leaves.png", include_bytes!("../../presets/scenes/textures/leaves.png")),
     ("textures/stained-glass.png", include_bytes!("../../presets/scenes/textures/stained-glass.png")),
+    ("meshes/vase.obj", include_bytes!("../../presets/scenes/meshes/vase.obj")),
 ];
 
-/// The contents of a pattern's file.
-fn read_pattern(name: &str) -> io::Result<Vec<u8>> {
-    let entry = PATTERNS.iter().find(|(file, _)| *file == name);
+/// The contents of a file.
+fn read_file(name: &str) -> io::Result<Vec<u8>> {
+    let entry = FILES.iter().find(|(file, _)| *file == name);
     entry.map(|(_, bytes)| bytes.to_vec()).ok_or_else(|| io::ErrorKind::NotFound.into())
 }
 
@@ -84,7 +89,7 @@ impl Preset {
 
     /// The scene it holds.
     pub fn load(&self) -> Result<Scene, LoadError> {
-        scene::parse_with(self.text, format!("{}.toml", self.stem), read_pattern)
+        scene::parse_with(self.text, format!("{}.toml", self.stem), read_file)
     }
 }
 
@@ -106,7 +111,7 @@ mod tests {
         for preset in presets {
             let built_in = preset.load().unwrap_or_else(|error| panic!("{error}"));
             let file = scene::load(folder.join(format!("{}.toml", preset.stem))).expect("the file opens");
-            assert_eq!(built_in, file, "{} with its patterns", preset.stem);
+            assert_eq!(built_in, file, "{} with its files", preset.stem);
         }
     }
 

@@ -13,6 +13,7 @@ use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use self::spread::{Fluxes, Spread};
+use crate::contents::Contents;
 use crate::math::interpolation::{Grid, even_weights};
 
 /// One channel of a pattern: luminance of each texel as a share of the light's, row by row, constant over a texel.
@@ -54,16 +55,6 @@ pub struct Pattern {
     pub image: Image,
     /// What the file holds, to be saved beside another scene; empty for an image that came from no file.
     pub contents: Contents,
-}
-
-/// The bytes of a file; copies share them.
-#[derive(Clone, Default, PartialEq, Eq)]
-pub struct Contents(pub Arc<[u8]>);
-
-impl fmt::Debug for Contents {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} bytes", self.0.len())
-    }
 }
 
 impl PartialEq for Channel {

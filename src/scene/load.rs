@@ -9,7 +9,7 @@ use toml::de::{DeTable, DeValue, Deserializer};
 
 use super::file::File;
 use super::problem::{LoadError, Path, Place, Problem, Segment};
-use super::{FORMAT, Scene, pattern, schema, structure, validate};
+use super::{FORMAT, Scene, beside, mesh, pattern, schema, structure, validate};
 
 /// Scene files larger than this are refused before they are read, bytes.
 pub const MAX_FILE_BYTES: u64 = 16 << 20;
@@ -17,12 +17,12 @@ pub const MAX_FILE_BYTES: u64 = 16 << 20;
 /// Problems beyond this number are only counted.
 const MAX_PROBLEMS: usize = 100;
 
-/// Load a scene or a light preset, and the patterns that its lights name.
+/// Load a scene or a light preset, and the files that it names.
 pub fn load(path: impl AsRef<std::path::Path>) -> Result<Scene, LoadError> {
     let path = path.as_ref();
     let bytes = read(path).map_err(|cause| LoadError::Read { file: path.to_owned(), cause })?;
     match std::str::from_utf8(&bytes) {
-        Ok(text) => parse_with(text, path, |name| pattern::read_file(pattern::folder_of(path), name)),
+        Ok(text) => parse_with(text, path, |name| beside::read_file(beside::folder_of(path), name)),
         Err(error) => {
             let valid = String::from_utf8_lossy(&bytes[..error.valid_up_to()]);
             let problem = Problem {
@@ -35,22 +35,26 @@ pub fn load(path: impl AsRef<std::path::Path>) -> Result<Scene, LoadError> {
 }
 
 /// Read a scene or a light preset from the text of a file; `file` is only named in errors. The text stands alone: there
-/// are no patterns beside it.
+/// are no files beside it.
 pub fn parse(text: &str, file: impl AsRef<std::path::Path>) -> Result<Scene, LoadError> {
     parse_with(text, file, |_| Err(io::Error::other("there are no files beside this text")))
 }
 
-/// [`parse`] for a text that names patterns: `read` gives the bytes of the file of a name.
+/// [`parse`] for a text that names files: `read` gives the bytes of the file of a name.
 pub fn parse_with(
     text: &str,
     file: impl AsRef<std::path::Path>,
-    read: impl FnMut(&str) -> io::Result<Vec<u8>>,
+    mut read: impl FnMut(&str) -> io::Result<Vec<u8>>,
 ) -> Result<Scene, LoadError> {
-    let check = |scene: &mut Scene| [validate(scene), pattern::read_all(&mut scene.lights, read)].concat();
+    let check = |scene: &mut Scene| {
+        let patterns = pattern::read_all(&mut scene.lights, &mut read);
+        let meshes = mesh::read_all(&mut scene.surfaces, &mut read);
+        [validate(scene), patterns, meshes].concat()
+    };
     parse_text(text, check).map_err(|problems| LoadError::Invalid { file: file.as_ref().to_owned(), problems })
 }
 
-/// Read the text of a scene without its patterns.
+/// Read the text of a scene without the files that it names.
 pub(super) fn parse_unread(text: &str) -> Result<Scene, Vec<Problem>> {
     parse_text(text, |scene| validate(scene))
 }

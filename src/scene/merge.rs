@@ -9,14 +9,14 @@ use std::collections::HashMap;
 
 use toml_edit::{Array, ArrayOfTables, Decor, DocumentMut, Item, KeyMut, RawString, Table, TableLike, Value};
 
-use super::{Scene, load, pattern, to_toml};
+use super::{Scene, beside, load, to_toml};
 
 /// The text of a scene's file, as close to an old `text` of that file as can be.
 ///
 /// It loads as exactly `scene`: wherever a merge would not, it is [`to_toml`]'s text. An unchanged scene leaves the text
 /// byte for byte as it was; so does what Softbox wrote and nobody edited: then it is [`to_toml`]'s, whatever changed.
 pub fn merge(text: &str, scene: &Scene) -> String {
-    let scene = &pattern::unread(scene);
+    let scene = &beside::unread(scene);
     let is_right = |text: &String| load::parse_unread(text).is_ok_and(|loaded| loaded == *scene);
     match load::parse_unread(text) {
         Ok(base) if base == *scene => text.to_owned(),

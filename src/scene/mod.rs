@@ -1,11 +1,14 @@
 //! The document: what a scene file holds, how it is loaded, checked, saved and edited.
 
+mod beside;
 mod camera;
 mod file;
 mod history;
 mod load;
 mod merge;
+mod mesh;
 mod nearest;
+mod obj;
 mod pattern;
 mod plot;
 mod problem;
@@ -14,11 +17,13 @@ mod schema;
 mod structure;
 mod validate;
 
+pub use beside::{MAX_CONTENTS_BYTES, keep_apart, keep_mesh_apart};
 pub use camera::{Camera, Display};
 pub use history::History;
 pub use load::{MAX_FILE_BYTES, load, parse, parse_with};
 pub use merge::merge;
-pub use pattern::{MAX_PATTERN_BYTES, MAX_PATTERN_SIZE, import_pattern, keep_apart};
+pub use mesh::{MOST_TRIANGLES, import_mesh};
+pub use pattern::{MAX_PATTERN_SIZE, import_pattern};
 pub use plot::{Plot, PlotKind, PlotQuantity};
 pub use problem::{LoadError, Path, Place, Problem, Segment};
 pub use save::{SaveError, replace_file, save, save_as, to_toml};

@@ -1,20 +1,16 @@
-//! The pattern files of a scene's lights: read, refused, and saved beside another scene.
+//! The pattern files of a scene's lights: read and refused.
 
-use std::collections::BTreeMap;
-use std::fs;
-use std::io::{self, Cursor, Read};
-use std::path::{Component, Path, PathBuf};
+use std::io::{self, Cursor};
+use std::path::Path;
 use std::sync::Arc;
 
 use image::{DynamicImage, ImageDecoder, ImageFormat, ImageReader, Limits};
 
-use super::save::{SaveError, create_file};
-use super::{Problem, Scene};
-use crate::light::pattern::{Channel, Contents, Image, Pattern};
-use crate::light::{Light, Shape};
-
-/// Pattern files larger than this are refused before they are read, bytes.
-pub const MAX_PATTERN_BYTES: u64 = 320 << 20;
+use super::Problem;
+use super::beside::{self, Imported};
+use crate::contents::Contents;
+use crate::light::Light;
+use crate::light::pattern::{Channel, Image, Pattern};
 
 /// Patterns have at most this many columns, and as many rows.
 pub const MAX_PATTERN_SIZE: u32 = 4096;
@@ -25,50 +21,13 @@ const MAX_TEXELS: u64 = 4 * (MAX_PATTERN_SIZE as u64).pow(2);
 /// Memory that a decoder may take for one pattern: four single-precision channels, twice over.
 const MAX_DECODER_BYTES: u64 = 32 * (MAX_PATTERN_SIZE as u64).pow(2);
 
-/// Whether a name is that of a file below the scene's folder.
-pub(super) fn is_inside(name: &str) -> bool {
-    !name.is_empty() && Path::new(name).components().all(|part| matches!(part, Component::Normal(_)))
-}
-
-/// The folder that a file is in.
-pub(super) fn folder_of(path: &Path) -> &Path {
-    match path.parent() {
-        Some(folder) if folder != Path::new("") => folder,
-        _ => Path::new("."),
-    }
-}
-
 /// Read the patterns of lights, each file once; `read` gives the bytes of the file of a name. What is wrong with them
-/// is returned; names that leave the scene's folder are not read.
+/// is returned.
 pub(super) fn read_all(lights: &mut [Light], mut read: impl FnMut(&str) -> io::Result<Vec<u8>>) -> Vec<Problem> {
-    let mut known: BTreeMap<String, Result<Pattern, String>> = BTreeMap::new();
     let mut texels_left = MAX_TEXELS;
-    let mut problems = Vec::new();
-    for (i, light) in lights.iter_mut().enumerate() {
-        let Some(pattern) = pattern_mut(light) else { continue };
-        if !is_inside(&pattern.file) {
-            continue;
-        }
-        let open = || read_pattern(&pattern.file, &mut read, &mut texels_left);
-        match known.entry(pattern.file.clone()).or_insert_with(open) {
-            Ok(found) => *pattern = found.clone(),
-            Err(message) => problems.push(Problem::new(path(i), message.clone())),
-        }
-    }
-    problems
-}
-
-/// The path of a light's pattern.
-fn path(light: usize) -> super::Path {
-    super::Path::default().key("light").index(light).key("shape").key("textured").key("pattern")
-}
-
-fn pattern_of(light: &Light) -> Option<&Pattern> {
-    if let Shape::Textured(textured) = &light.shape { Some(&textured.pattern) } else { None }
-}
-
-fn pattern_mut(light: &mut Light) -> Option<&mut Pattern> {
-    if let Shape::Textured(textured) = &mut light.shape { Some(&mut textured.pattern) } else { None }
+    let lights = lights.iter_mut().enumerate();
+    let patterns = lights.filter_map(|(i, light)| Some((beside::pattern_path(i), beside::pattern_mut(light)?)));
+    beside::read_each(patterns, |pattern| &pattern.file, |name| read_pattern(name, &mut read, &mut texels_left))
 }
 
 fn read_pattern(
@@ -90,63 +49,11 @@ fn read_pattern(
 /// A file below the scene's folder keeps its place; any other is called `textures/` and its own name, numbered where the
 /// folder has another file of that name, and is put there when the scene is saved. What is wrong with it is one line.
 pub fn import_pattern(path: &Path, scene: Option<&Path>) -> Result<Pattern, String> {
-    let own_name: String = path.file_name().unwrap_or_default().to_string_lossy().replace(char::is_control, " ");
-    let bytes = read_file(folder_of(path), &path.file_name().unwrap_or_default().to_string_lossy())
-        .map_err(|cause| format!("`{own_name}` cannot be read: {cause}"))?;
-    let image = decode(&bytes, &mut { MAX_TEXELS }).map_err(|wrong| format!("`{own_name}` {wrong}"))?;
-    let folder = scene.map(folder_of);
-    let file = folder.and_then(|folder| name_below(folder, path)).unwrap_or_else(|| {
-        let numbered = (1..).map(|number| format!("textures/{}", numbered(Path::new(&own_name), number)));
-        let is_free = |name: &String| match folder.map(|folder| read_file(folder, name)) {
-            None => true,
-            Some(Ok(there)) => there == bytes,
-            Some(Err(error)) => error.kind() == io::ErrorKind::NotFound,
-        };
-        numbered.into_iter().find(is_free).unwrap_or_default()
-    });
-    Ok(Pattern { file, image, contents: Contents(bytes.into()) })
-}
-
-/// The name of a file below `folder`, as scenes write it.
-fn name_below(folder: &Path, path: &Path) -> Option<String> {
-    let (folder, path) = (fs::canonicalize(folder).ok()?, fs::canonicalize(path).ok()?);
-    let parts: Option<Vec<&str>> = path.strip_prefix(folder).ok()?.iter().map(|part| part.to_str()).collect();
-    parts.map(|parts| parts.join("/")).filter(|name| is_inside(name) && !name.contains(char::is_control))
-}
-
-/// `leaf.png`, then `leaf-2.png` and so on.
-fn numbered(file: &Path, number: u32) -> String {
-    if number < 2 {
-        return file.to_string_lossy().into_owned();
-    }
-    let part = |part: Option<&std::ffi::OsStr>| part.unwrap_or_default().to_string_lossy().into_owned();
-    let (stem, extension) = (part(file.file_stem()), part(file.extension()));
-    file.with_file_name(format!("{stem}-{number}")).with_extension(extension).to_string_lossy().into_owned()
-}
-
-/// The bytes of a regular file below `folder` that is not too large, whatever links lead to it.
-pub(super) fn read_file(folder: &Path, name: &str) -> io::Result<Vec<u8>> {
-    let path = fs::canonicalize(folder.join(name))?;
-    if !path.starts_with(fs::canonicalize(folder)?) {
-        return Err(leaves_folder());
-    }
-    let metadata = fs::metadata(&path)?;
-    if metadata.is_dir() {
-        return Err(io::Error::other("it is a directory"));
-    }
-    if !metadata.is_file() {
-        return Err(io::Error::other("it is not a regular file"));
-    }
-    if metadata.len() > MAX_PATTERN_BYTES {
-        return Err(io::Error::other(format!("it is larger than {} MiB", MAX_PATTERN_BYTES >> 20)));
-    }
-    let mut bytes = Vec::new();
-    fs::File::open(path)?.take(MAX_PATTERN_BYTES).read_to_end(&mut bytes)?;
-    Ok(bytes)
-}
-
-fn leaves_folder() -> io::Error {
-    io::Error::other("a link leads out of the scene's folder")
+    let imported = Imported::read(path)?;
+    let image =
+        decode(&imported.bytes, &mut { MAX_TEXELS }).map_err(|wrong| format!("`{}` {wrong}", imported.own_name))?;
+    let file = imported.name(path, scene, "textures");
+    Ok(Pattern { file, image, contents: Contents(imported.bytes.into()) })
 }
 
 /// The image in a file's bytes, or what is wrong with it. Sizes are checked before memory is taken for them, and what
@@ -278,75 +185,4 @@ fn single(value: f64) -> f32 {
 /// The inverse of the sRGB encoding (IEC 61966-2-1).
 fn linear_from_srgb(code: f64) -> f64 {
     if code <= 0.04045 { code / 12.92 } else { ((code + 0.055) / 1.055).powf(2.4) }
-}
-
-/// The scene with its patterns as its text alone gives them.
-pub(super) fn unread(scene: &Scene) -> Scene {
-    let mut scene = scene.clone();
-    for pattern in scene.lights.iter_mut().filter_map(pattern_mut) {
-        *pattern = Pattern::unread(std::mem::take(&mut pattern.file));
-    }
-    scene
-}
-
-/// Lights whose patterns have one file's name, but are different pictures.
-pub(super) fn ambiguous(lights: &[Light]) -> Vec<Problem> {
-    let mut first: BTreeMap<&str, (usize, &Pattern)> = BTreeMap::new();
-    let mut problems = Vec::new();
-    for (i, light) in lights.iter().enumerate() {
-        let Some(pattern) = pattern_of(light) else { continue };
-        let (j, other) = *first.entry(&pattern.file).or_insert((i, pattern));
-        if other.image != pattern.image {
-            let message =
-                format!("`{}` is another picture here than in light[{j}]; give it its own name", pattern.file);
-            problems.push(Problem::new(path(i), message));
-        }
-    }
-    problems
-}
-
-/// Rename a light's pattern, `leaf.png` to `leaf-2.png`, while `others` have a different picture of its name.
-pub fn keep_apart(light: &mut Light, others: &[Light]) {
-    let Some(pattern) = pattern_mut(light) else { return };
-    let file = PathBuf::from(&pattern.file);
-    let is_taken = |pattern: &Pattern| {
-        others.iter().filter_map(pattern_of).any(|other| other.file == pattern.file && other.image != pattern.image)
-    };
-    for number in 2.. {
-        if !is_taken(pattern) {
-            break;
-        }
-        pattern.file = numbered(&file, number);
-    }
-}
-
-/// Put the patterns of lights that are not there yet beside the scene's file `scene`.
-pub(super) fn write_missing(lights: &[Light], scene: &Path) -> Result<(), SaveError> {
-    for pattern in lights.iter().filter_map(pattern_of) {
-        write_pattern(pattern, folder_of(scene)).map_err(|cause| SaveError::Pattern {
-            file: scene.to_owned(),
-            pattern: folder_of(scene).join(&pattern.file),
-            cause,
-        })?;
-    }
-    Ok(())
-}
-
-fn write_pattern(pattern: &Pattern, folder: &Path) -> io::Result<()> {
-    match read_file(folder, &pattern.file) {
-        Ok(bytes) if bytes == *pattern.contents.0 => Ok(()),
-        Ok(_) => Err(io::Error::other("there is another file of that name; rename one of the two")),
-        Err(error) if error.kind() == io::ErrorKind::NotFound => {
-            if pattern.contents.0.is_empty() {
-                return Err(io::Error::other("it has not been read from a file"));
-            }
-            let path = folder.join(&pattern.file);
-            fs::create_dir_all(folder_of(&path))?;
-            if !fs::canonicalize(folder_of(&path))?.starts_with(fs::canonicalize(folder)?) {
-                return Err(leaves_folder());
-            }
-            create_file(&path, &pattern.contents.0)
-        }
-        Err(error) => Err(error),
-    }
 }

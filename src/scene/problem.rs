@@ -74,6 +74,11 @@ impl Path {
         &self.0
     }
 
+    /// The entry of the document that it leads into, such as `light[2]`.
+    pub(super) fn entry(&self) -> Self {
+        Self(self.0.iter().take(2).cloned().collect())
+    }
+
     fn with(&self, segment: Segment) -> Self {
         Self(self.0.iter().cloned().chain([segment]).collect())
     }

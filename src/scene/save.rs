@@ -9,7 +9,7 @@ use serde::Serialize;
 use tempfile::{Builder, NamedTempFile};
 use toml::ser::ValueSerializer;
 
-use super::{Camera, Display, FORMAT, Plot, Problem, Scene, load, merge, pattern, validate};
+use super::{Camera, Display, FORMAT, Plot, Problem, Scene, beside, load, merge, validate};
 use crate::light::{Light, Tint};
 use crate::surface::{Material, ReflectionModel, Surface};
 
@@ -32,13 +32,15 @@ pub enum SaveError {
         /// What is wrong with the scene; at least one.
         problems: Vec<Problem>,
     },
-    /// A pattern could not be put beside it.
-    #[error("{}: not saved, as its pattern {} cannot be: {cause}", file.display(), pattern.display())]
-    Pattern {
+    /// A file that it names could not be put beside it.
+    #[error("{}: not saved, as its {noun} {} cannot be: {cause}", file.display(), beside.display())]
+    Beside {
         /// The scene's file.
         file: PathBuf,
-        /// The pattern's file.
-        pattern: PathBuf,
+        /// What the other is to the scene.
+        noun: &'static str,
+        /// The other file.
+        beside: PathBuf,
         /// Why.
         cause: io::Error,
     },
@@ -54,7 +56,7 @@ pub fn save(scene: &Scene, path: impl AsRef<Path>) -> Result<(), SaveError> {
 
 /// [`save`], but with the comments and the form of the file `source`, from which the scene was loaded.
 ///
-/// Patterns go along: where the new folder has no file of a pattern's name, it is written there. Another file of that
+/// Patterns and meshes go along: where the new folder has no file of one's name, it is written there. Another file of that
 /// name is not replaced; then nothing is saved.
 pub fn save_as(scene: &Scene, path: impl AsRef<Path>, source: impl AsRef<Path>) -> Result<(), SaveError> {
     let path = path.as_ref();
@@ -62,7 +64,7 @@ pub fn save_as(scene: &Scene, path: impl AsRef<Path>, source: impl AsRef<Path>) 
     if !problems.is_empty() {
         return Err(SaveError::Invalid { file: path.to_owned(), problems });
     }
-    pattern::write_missing(&scene.lights, path)?;
+    beside::write_missing(scene, path)?;
     let old = load::read(source.as_ref()).ok().and_then(|bytes| String::from_utf8(bytes).ok());
     let text = old.map_or_else(|| to_toml(scene), |old| merge(&old, scene));
     replace_file(path, text.as_bytes()).map_err(|cause| SaveError::Write { file: path.to_owned(), cause })
@@ -195,7 +197,7 @@ impl Table {
 /// What the system says; the old file is then as it was.
 pub fn replace_file(path: &Path, bytes: &[u8]) -> io::Result<()> {
     let path = follow_links(path)?;
-    let folder = pattern::folder_of(&path);
+    let folder = beside::folder_of(&path);
     let old = match fs::metadata(&path) {
         Ok(old) if old.is_dir() => return Err(io::ErrorKind::IsADirectory.into()),
         Ok(old) if !old.is_file() => return Err(io::Error::other("it is not a regular file")),
@@ -215,7 +217,7 @@ pub fn replace_file(path: &Path, bytes: &[u8]) -> io::Result<()> {
 
 /// Make the file `path` of `bytes`, all or nothing; never in the place of another.
 pub(super) fn create_file(path: &Path, bytes: &[u8]) -> io::Result<()> {
-    let folder = pattern::folder_of(path);
+    let folder = beside::folder_of(path);
     let new = temporary_file(folder, bytes)?;
     new.as_file().sync_all()?;
     new.persist_noclobber(path).map_err(|error| error.error)?;

@@ -6,7 +6,7 @@ use std::ops::Range;
 
 use serde_json::Value as Rule;
 use toml::Spanned;
-use toml::de::{DeTable, DeValue};
+use toml::de::{DeInteger, DeTable, DeValue};
 
 use super::nearest::{quoted, suggestion};
 use super::problem::{Path, Problem};
@@ -52,10 +52,10 @@ impl<'s> Checker<'s> {
             (Kind::Number, DeValue::Float(float)) if is_too_large(float.as_str()) => {
                 self.report(span, path, format!("must be finite, but is {}; write a smaller number", float.as_str()));
             }
-            (Kind::Number | Kind::Whole, DeValue::Integer(integer))
-                if i64::from_str_radix(integer.as_str(), integer.radix()).is_err() =>
-            {
-                self.report(span, path, format!("{integer} is too large; write a smaller number"));
+            (Kind::Number | Kind::Whole, DeValue::Integer(integer)) if is_out_of_reach(integer, rule) => {
+                let wrong =
+                    if integer.as_str().starts_with('-') { "small; write a larger" } else { "large; write a smaller" };
+                self.report(span, path, format!("{integer} is too {wrong} number"));
             }
             (Kind::Number, DeValue::Float(_) | DeValue::Integer(_))
             | (Kind::Whole, DeValue::Integer(_))
@@ -138,7 +138,10 @@ impl<'s> Checker<'s> {
             (Kind::Text, _) => "text in quotes".to_owned(),
             (Kind::Switch, _) => "true or false".to_owned(),
             (Kind::Table, _) => "a table".to_owned(),
-            (Kind::List, Some(length)) => format!("a list of {length} numbers"),
+            (Kind::List, Some(length)) => match kind(self.resolve(&rule["items"])) {
+                Kind::List => format!("a list of {length} points"),
+                _ => format!("a list of {length} numbers"),
+            },
             (Kind::List, None) => match kind(self.resolve(&rule["items"])) {
                 Kind::Table => "a list of tables".to_owned(),
                 _ => "a list".to_owned(),
@@ -197,6 +200,14 @@ fn found(value: &DeValue<'_>) -> String {
         DeValue::Datetime(_) => "a date".to_owned(),
         DeValue::Array(_) => "a list".to_owned(),
         DeValue::Table(_) => "a table".to_owned(),
+    }
+}
+
+/// Whether digits stand for an integer that the rule's type does not hold.
+fn is_out_of_reach(integer: &DeInteger<'_>, rule: &Rule) -> bool {
+    match i64::from_str_radix(integer.as_str(), integer.radix()) {
+        Ok(value) => rule["format"] == "uint32" && u32::try_from(value).is_err(),
+        Err(_) => true,
     }
 }
 

@@ -6,9 +6,9 @@ use std::ops::Bound::{self, Excluded, Included};
 use glam::DVec3;
 
 use super::nearest::{quoted, suggestion};
-use super::{Camera, Display, Path, Plot, PlotKind, Problem, Scene, pattern};
+use super::{Camera, Display, Path, Plot, PlotKind, Problem, Scene, beside};
 use crate::light::{Light, Line, LineEmission, Polygon, Shape, Sky, Sphere, Tint, luminance_of};
-use crate::surface::{self, Material, ReflectionModel, Surface};
+use crate::surface::{self, MOST_FLAKE_DEPTH, MOST_TETRAHEDRON_DEPTH, Material, ReflectionModel, Surface};
 
 /// Lengths and coordinates reach this far, metres: squares of them stay within what the GPU's `f32` can hold.
 const FARTHEST: f64 = 1e9;
@@ -37,7 +37,7 @@ pub fn validate(scene: &Scene) -> Vec<Problem> {
     checker.each(&root.key("surface"), surfaces, |surface| &surface.name, Checker::surface);
     checker.each(&root.key("light"), lights, |light| &light.name, Checker::light);
     checker.each(&root.key("plot"), plots, |plot| &plot.name, Checker::plot);
-    checker.problems.extend(pattern::ambiguous(lights));
+    checker.problems.extend(beside::ambiguous(scene));
     checker.problems
 }
 
@@ -57,6 +57,16 @@ const DIRECTION: Limits =
 const ANGLE_DEG: Limits =
     Limits { low: Included(-FARTHEST), high: Included(FARTHEST), right: "write an angle in degrees such as 45.0" };
 const SCALE: Limits = Limits { low: Excluded(0.0), high: Included(FARTHEST), right: "write a factor such as 1.0" };
+const FLAKE_DEPTH: Limits = Limits {
+    low: Included(0.0),
+    high: Included(MOST_FLAKE_DEPTH as f64),
+    right: "write a whole number such as 2, which gives 91 spheres",
+};
+const TETRAHEDRON_DEPTH: Limits = Limits {
+    low: Included(0.0),
+    high: Included(MOST_TETRAHEDRON_DEPTH as f64),
+    right: "write a whole number such as 5, which gives 4096 triangles",
+};
 const FALLOFF: Limits =
     Limits { low: Included(0.0), high: Included(3.0), right: "write a number from 0.0 to 3.0; light itself has 2.0" };
 const COLOR: Limits = Limits { low: Included(0.0), high: Included(FARTHEST), right: "write a number such as 0.8" };
@@ -139,6 +149,8 @@ impl Checker<'_> {
         self.vector(&path.key("scale"), *scale, &SCALE);
         let path = path.key("shape").key(shape.name());
         match *shape {
+            surface::Shape::Mesh(ref mesh) => self.file(&path.key("file"), &mesh.file, "meshes/chair.obj"),
+            surface::Shape::Patch { ref control_points } => self.patch(&path.key("control_points"), control_points),
             surface::Shape::Plane {} => {}
             surface::Shape::Sphere { radius } | surface::Shape::Disk { radius } => {
                 self.number(&path.key("radius"), radius, &LENGTH);
@@ -149,6 +161,24 @@ impl Checker<'_> {
                 self.number(&path.key("radius"), radius, &LENGTH);
                 self.number(&path.key("height"), height, &LENGTH);
             }
+            surface::Shape::Sphereflake { depth } => {
+                self.number(&path.key("depth"), depth.into(), &FLAKE_DEPTH);
+            }
+            surface::Shape::Tetrahedron { depth } => {
+                self.number(&path.key("depth"), depth.into(), &TETRAHEDRON_DEPTH);
+            }
+        }
+    }
+
+    fn patch(&mut self, path: &Path, control_points: &[DVec3; 16]) {
+        for (i, p) in control_points.iter().enumerate() {
+            self.vector(&path.index(i), *p, &COORDINATE);
+        }
+        let [first, ..] = control_points;
+        let directions = || control_points.iter().map(|p| p - first);
+        let widest = |from: DVec3| directions().map(|to| from.cross(to).length_squared()).fold(0.0, f64::max);
+        if directions().map(widest).fold(0.0, f64::max) == 0.0 {
+            self.report(path, "lie on one line, which has no area; move some of them off it");
         }
     }
 
@@ -199,7 +229,7 @@ impl Checker<'_> {
             Shape::Disk(disk) => self.number(&path.key("radius"), disk.radius, &LENGTH),
             Shape::Textured(textured) => {
                 self.components(&path.key("size"), &textured.size.to_array(), &LENGTH);
-                self.file(&path.key("pattern"), &textured.pattern.file);
+                self.file(&path.key("pattern"), &textured.pattern.file, "textures/leaf.png");
             }
             Shape::Cap(cap) => self.number(&path.key("half_angle_deg"), cap.half_angle_deg, &CAP_ANGLE_DEG),
             Shape::Sky(Sky { uniform, cosine }) => {
@@ -286,10 +316,10 @@ impl Checker<'_> {
     }
 
     /// Files named in a scene stay below its folder.
-    fn file(&mut self, path: &Path, name: &str) {
+    fn file(&mut self, path: &Path, name: &str, example: &str) {
         self.text(path, name);
-        if !pattern::is_inside(name) {
-            let message = format!("`{name}` leaves the scene's folder; write a name such as \"textures/leaf.png\"");
+        if !beside::is_inside(name) {
+            let message = format!("`{name}` leaves the scene's folder; write a name such as \"{example}\"");
             self.report(path, if name.is_empty() { "is empty; write a file's name".to_owned() } else { message });
         }
     }

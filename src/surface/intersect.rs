@@ -8,7 +8,7 @@
 
 use glam::{DVec2, DVec3};
 
-use super::{Primitive, Triangle};
+use super::{Hit, Primitive};
 
 /// Distance below which a point counts as on a surface, relative to the sizes involved.
 pub(crate) const ON_SURFACE: f64 = 1e-10;
@@ -75,25 +75,9 @@ pub(super) fn intersect(primitive: &Primitive, o: DVec3, d: DVec3) -> Option<Loc
                 ((across * (slope * (half.z - p.z))).extend(p.z), across.extend(slope))
             })
         }
-        Primitive::Triangle(ref triangle) => triangle_hit(triangle, o, d),
-        Primitive::Patch(_) => None,
+        Primitive::Triangle(ref triangle) => triangle.intersect(o, d).map(|Hit { t, p, n }| LocalHit { t, p, n }),
+        Primitive::Patch(ref patch) => patch.hit(o, d),
     }
-}
-
-/// A hit on a triangle, whose plane does not hold the origin.
-fn triangle_hit(triangle: &Triangle, o: DVec3, d: DVec3) -> Option<LocalHit> {
-    let [a, b, c] = triangle.corners.map(|corner| corner - o);
-    let n = (b - a).cross(c - a);
-    let height = a.dot(n);
-    if height.abs() <= ON_SURFACE * n.length() * a.length().max(b.length()).max(c.length()) {
-        return None;
-    }
-    // Twice the areas that the ray cuts off, seen along it.
-    let [u, v, w] = [d.dot(b.cross(c)), d.dot(c.cross(a)), d.dot(a.cross(b))];
-    let within = (u >= 0.0 && v >= 0.0 && w >= 0.0) || (u <= 0.0 && v <= 0.0 && w <= 0.0);
-    let t = height / d.dot(n);
-    let n = triangle.normals.map_or(n, |[n_a, n_b, n_c]| u.abs() * n_a + v.abs() * n_b + w.abs() * n_c);
-    (within && t > 0.0 && t.is_finite()).then(|| LocalHit { t, p: o + t * d, n })
 }
 
 impl Inside {

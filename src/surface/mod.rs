@@ -1,16 +1,26 @@
 //! Primitives, their materials, and rays against them.
 
+mod fractal;
 mod intersect;
 mod material;
+mod mesh;
+mod patch;
+#[cfg(test)]
+mod patch_tests;
 mod primitive;
 mod ray;
 mod shape;
+mod triangle;
 
+pub use fractal::{MOST_FLAKE_DEPTH, MOST_TETRAHEDRON_DEPTH};
 pub(crate) use intersect::ON_SURFACE;
 pub use material::{Material, ReflectionModel};
-pub use primitive::{Patch, Primitive, Triangle};
+pub use mesh::Mesh;
+pub use patch::{Patch, PatchPoint};
+pub use primitive::Primitive;
 pub use ray::{Bounds, Hit, Placed};
 pub use shape::Shape;
+pub use triangle::Triangle;
 
 use glam::{DAffine3, DMat3, DVec3};
 use schemars::JsonSchema;

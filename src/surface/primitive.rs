@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::{DVec2, DVec3};
 
-use super::Shape;
+use super::{Patch, Triangle};
 
 /// A surface, or the part of one that is met as a whole. Solids are centred on the origin; axes of revolution are Z.
 #[derive(Clone, Debug, PartialEq)]
@@ -49,35 +49,4 @@ pub enum Primitive {
     Triangle(Triangle),
     /// A bicubic patch.
     Patch(Arc<Patch>),
-}
-
-/// A triangle, in the world.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Triangle {
-    /// Corners.
-    pub corners: [DVec3; 3],
-    /// Unit normals at the corners; none for a flat look.
-    pub normals: Option<[DVec3; 3]>,
-}
-
-/// A bicubic Bézier patch.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Patch {
-    /// Control points, in rows of four.
-    pub control_points: [DVec3; 16],
-}
-
-impl Shape {
-    /// The shape as one primitive in its own frame.
-    pub(super) fn primitive(&self) -> Primitive {
-        match *self {
-            Self::Plane {} => Primitive::Plane,
-            Self::Sphere { radius } => Primitive::Sphere { radius },
-            Self::Box { size } => Primitive::Box { size },
-            Self::Square { size } => Primitive::Square { size },
-            Self::Disk { radius } => Primitive::Disk { radius },
-            Self::Cylinder { radius, height } => Primitive::Cylinder { radius, height },
-            Self::Cone { radius, height } => Primitive::Cone { radius, height },
-        }
-    }
 }

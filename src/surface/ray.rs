@@ -4,8 +4,9 @@ use std::sync::Arc;
 
 use glam::{DAffine3, DMat3, DVec3};
 
+use super::fractal::{sphereflake, tetrahedron};
 use super::intersect::intersect;
-use super::{Primitive, Surface};
+use super::{Patch, Primitive, Shape, Surface, Triangle};
 
 /// A primitive placed in the world, prepared for rays.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,6 +21,13 @@ struct Frame {
     world_from_local: DAffine3,
     local_from_world: DAffine3,
     world_from_normal: DMat3,
+}
+
+impl Frame {
+    fn new(world_from_local: DAffine3) -> Self {
+        let local_from_world = world_from_local.inverse();
+        Self { world_from_local, local_from_world, world_from_normal: local_from_world.matrix3.transpose() }
+    }
 }
 
 /// Where a ray meets a surface.
@@ -45,15 +53,45 @@ pub struct Bounds {
 impl Placed {
     /// The primitives of a surface, in the world.
     pub fn parts(surface: &Surface) -> Vec<Self> {
-        vec![Self::new(surface)]
+        Self::parts_of(&surface.shape, surface.world_from_surface())
     }
 
-    fn new(surface: &Surface) -> Self {
-        let world_from_local = surface.world_from_surface();
-        let local_from_world = world_from_local.inverse();
-        let world_from_normal = local_from_world.matrix3.transpose();
-        let frame = Arc::new(Frame { world_from_local, local_from_world, world_from_normal });
-        Self { primitive: surface.shape.primitive(), frame }
+    /// The primitives of a shape in a frame.
+    fn parts_of(shape: &Shape, world_from_surface: DAffine3) -> Vec<Self> {
+        let whole = |primitive| vec![Self::new(world_from_surface, primitive)];
+        match *shape {
+            Shape::Plane {} => whole(Primitive::Plane),
+            Shape::Sphere { radius } => whole(Primitive::Sphere { radius }),
+            Shape::Box { size } => whole(Primitive::Box { size }),
+            Shape::Square { size } => whole(Primitive::Square { size }),
+            Shape::Disk { radius } => whole(Primitive::Disk { radius }),
+            Shape::Cylinder { radius, height } => whole(Primitive::Cylinder { radius, height }),
+            Shape::Cone { radius, height } => whole(Primitive::Cone { radius, height }),
+            Shape::Sphereflake { depth } => {
+                let sphere = |(center, radius)| {
+                    let world_from_sphere = world_from_surface * DAffine3::from_translation(center);
+                    Self::new(world_from_sphere, Primitive::Sphere { radius })
+                };
+                sphereflake(depth).into_iter().map(sphere).collect()
+            }
+            Shape::Patch { control_points } => whole(Primitive::Patch(Arc::new(Patch::new(control_points)))),
+            Shape::Mesh(ref mesh) => Self::triangles(&world_from_surface, &mesh.triangles),
+            Shape::Tetrahedron { depth } => Self::triangles(&world_from_surface, &tetrahedron(depth)),
+        }
+    }
+
+    fn new(world_from_local: DAffine3, primitive: Primitive) -> Self {
+        Self { primitive, frame: Arc::new(Frame::new(world_from_local)) }
+    }
+
+    /// Triangles, in the world; they share one frame.
+    fn triangles(world_from_local: &DAffine3, triangles: &[Triangle]) -> Vec<Self> {
+        let frame = Arc::new(Frame::new(DAffine3::IDENTITY));
+        let placed = |triangle: &Triangle| {
+            let primitive = Primitive::Triangle(triangle.transformed(world_from_local));
+            Self { primitive, frame: Arc::clone(&frame) }
+        };
+        triangles.iter().map(placed).collect()
     }
 
     /// The primitive in its own frame.
@@ -77,6 +115,9 @@ impl Placed {
     /// transpose, so that non-uniform and negative scales hold. **Domain:** a flat face on which the origin lies is
     /// not hit, a round one only again at its far side: see `surface::intersect`. A scale with a zero is never hit.
     pub fn intersect(&self, origin: DVec3, direction: DVec3) -> Option<Hit> {
+        if let Primitive::Triangle(triangle) = &self.primitive {
+            return triangle.intersect(origin, direction);
+        }
         let o = self.frame.local_from_world.transform_point3(origin);
         let d = self.frame.local_from_world.transform_vector3(direction);
         let hit = intersect(&self.primitive, o, d)?;
@@ -112,6 +153,14 @@ impl Placed {
     }
 }
 
+impl Shape {
+    /// A box about the shape in its own frame; none for the infinite plane.
+    pub fn bounds(&self) -> Option<Bounds> {
+        let parts = Placed::parts_of(self, DAffine3::IDENTITY);
+        parts.iter().map(Placed::bounds).reduce(|a, b| Some(a?.union(b?))).flatten()
+    }
+}
+
 impl Bounds {
     /// Of nothing.
     pub const EMPTY: Self = Self { min: DVec3::INFINITY, max: DVec3::NEG_INFINITY };
@@ -144,8 +193,13 @@ mod tests {
         Surface { name: "s".to_owned(), material: "m".to_owned(), position, rotation_deg, scale, shape }
     }
 
+    /// A surface of one part.
+    fn only(surface: &Surface) -> Placed {
+        Placed::parts(surface).remove(0)
+    }
+
     fn plain(shape: Shape) -> Placed {
-        Placed::new(&surface(shape, DVec3::ZERO, DVec3::ZERO, DVec3::ONE))
+        only(&surface(shape, DVec3::ZERO, DVec3::ZERO, DVec3::ONE))
     }
 
     /// Positive outside, negative inside, in the shape's own frame; solids only.
@@ -158,7 +212,7 @@ mod tests {
             Shape::Cone { radius, height } => {
                 (across - radius * (0.5 * height - p.z) / height).max(p.z.abs() - 0.5 * height)
             }
-            Shape::Plane {} | Shape::Square { .. } | Shape::Disk { .. } => f64::NAN,
+            _ => f64::NAN,
         }
     }
 
@@ -209,7 +263,7 @@ mod tests {
             origin in vector(-3.0..3.0), aim in vector(-0.6..0.6),
         ) {
             let shape = solids()[solid].clone();
-            let placed = Placed::new(&surface(shape.clone(), position, rotation, scale));
+            let placed = only(&surface(shape.clone(), position, rotation, scale));
             let direction = (position + aim - origin).normalize();
             let (hit, marched) = (placed.intersect(origin, direction), march(&shape, &placed, origin, direction));
             match (hit, marched) {
@@ -238,7 +292,7 @@ mod tests {
             origin in vector(-3.0..3.0), aim in vector(-1.5..1.5),
         ) {
             let shape = flats()[flat].clone();
-            let placed = Placed::new(&surface(shape.clone(), position, rotation, scale));
+            let placed = only(&surface(shape.clone(), position, rotation, scale));
             let (through, normal) = (position, placed.frame.world_from_normal * DVec3::Z);
             let direction = (position + aim - origin).normalize();
             let t = (through - origin).dot(normal) / direction.dot(normal);
@@ -261,7 +315,7 @@ mod tests {
             solid in 0usize..4, rotation in vector(-180.0..180.0), scale in scale(),
             origin in vector(-3.0..3.0), aim in vector(-0.4..0.4), along in vector(-1.0..1.0),
         ) {
-            let placed = Placed::new(&surface(solids()[solid].clone(), DVec3::ONE, rotation, scale));
+            let placed = only(&surface(solids()[solid].clone(), DVec3::ONE, rotation, scale));
             let direction = (DVec3::ONE + aim - origin).normalize();
             if let Some(hit) = placed.intersect(origin, direction) {
                 let outward = if hit.n.dot(direction) < 0.0 { hit.n } else { -hit.n };
@@ -279,7 +333,7 @@ mod tests {
             solid in 0usize..4, rotation in vector(-180.0..180.0), scale in scale(),
             origin in vector(-3.0..3.0), aim in vector(-0.6..0.6),
         ) {
-            let placed = Placed::new(&surface(solids()[solid].clone(), DVec3::ZERO, rotation, scale));
+            let placed = only(&surface(solids()[solid].clone(), DVec3::ZERO, rotation, scale));
             let bounds = placed.bounds().unwrap();
             if let Some(hit) = placed.intersect(origin, aim - origin) {
                 let slack = DVec3::splat(1e-12);
@@ -331,7 +385,7 @@ mod tests {
     #[test]
     fn a_flattened_surface_is_never_hit() {
         for shape in solids().into_iter().chain(flats()) {
-            let flat = Placed::new(&surface(shape.clone(), DVec3::ZERO, DVec3::ZERO, DVec3::new(1.0, 0.0, 1.0)));
+            let flat = only(&surface(shape.clone(), DVec3::ZERO, DVec3::ZERO, DVec3::new(1.0, 0.0, 1.0)));
             assert_eq!(flat.intersect(DVec3::new(0.1, 0.0, 5.0), DVec3::NEG_Z), None, "{shape:?}");
         }
     }

@@ -4,6 +4,8 @@ use glam::{DVec2, DVec3};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::Mesh;
+
 /// The shape of a surface in its own frame. Solids are centred on the origin; axes of revolution are Z.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase", deny_unknown_fields)]
@@ -46,6 +48,24 @@ pub enum Shape {
         /// Height in metres.
         height: f64,
     },
+    /// A ball with nine of a third of its radius on it, and so on; the first has a radius of 0.5 m.
+    Sphereflake {
+        /// How often balls are put on balls: 2 gives 91 of them.
+        depth: u32,
+    },
+    /// A regular tetrahedron with an edge of 1 m and one corner on +Z, of smaller ones in its corners, and so on.
+    Tetrahedron {
+        /// How often it is divided: 5 gives 4096 triangles.
+        depth: u32,
+    },
+    /// A bicubic Bézier patch.
+    Patch {
+        /// In rows of four, metres.
+        #[schemars(with = "[[f64; 3]; 16]")]
+        control_points: [DVec3; 16],
+    },
+    /// A triangle mesh in a file.
+    Mesh(Mesh),
 }
 
 impl Shape {
@@ -59,6 +79,10 @@ impl Shape {
             Self::Disk { .. } => "disk",
             Self::Cylinder { .. } => "cylinder",
             Self::Cone { .. } => "cone",
+            Self::Sphereflake { .. } => "sphereflake",
+            Self::Tetrahedron { .. } => "tetrahedron",
+            Self::Patch { .. } => "patch",
+            Self::Mesh(_) => "mesh",
         }
     }
 }

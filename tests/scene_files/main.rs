@@ -6,6 +6,7 @@ mod presets;
 mod random;
 mod refusals;
 mod saving;
+mod surfaces;
 
 use std::fs;
 use std::path::Path;

@@ -8,7 +8,7 @@ use proptest::prelude::*;
 use softbox::light::pattern::Pattern;
 use softbox::light::{self, Light, Quantity, Tint};
 use softbox::scene::{self, Camera, Display, Plot, PlotKind, PlotQuantity, Scene};
-use softbox::surface::{self, Material, ReflectionModel, Surface};
+use softbox::surface::{self, Material, Mesh, ReflectionModel, Surface};
 
 use super::WINDOW;
 
@@ -43,7 +43,7 @@ fn light_shape() -> impl Strategy<Value = light::Shape> {
         .prop_map(|(line, falloff)| light::Shape::Line(light::Line { falloff, ..line }));
     let disk = (positive(), any::<bool>())
         .prop_map(|(radius, two_sided)| light::Shape::Disk(light::Disk { radius, two_sided }));
-    let textured = ([positive(), positive()], file_name(), any::<bool>()).prop_map(|(size, file, two_sided)| {
+    let textured = ([positive(), positive()], file_name("png"), any::<bool>()).prop_map(|(size, file, two_sided)| {
         let pattern = Pattern { file, ..pattern() };
         light::Shape::Textured(light::Textured { size: size.into(), pattern, two_sided })
     });
@@ -63,8 +63,8 @@ fn light_shape() -> impl Strategy<Value = light::Shape> {
 }
 
 /// Names of files below the scene's folder, with what TOML must escape.
-fn file_name() -> impl Strategy<Value = String> {
-    r#"([a-z]{1,4}/)?[a-z"\u{e9}' ]{0,6}[a-z]\.png"#
+fn file_name(extension: &'static str) -> impl Strategy<Value = String> {
+    r#"([a-z]{1,4}/)?[a-z"\u{e9}' ]{0,6}[a-z]"#.prop_map(move |name| format!("{name}.{extension}"))
 }
 
 /// The file that every pattern here is read from.
@@ -77,9 +77,29 @@ fn pattern() -> Pattern {
     PATTERN.get_or_init(|| scene::import_pattern(&path, None).expect("a picture")).clone()
 }
 
-/// Read a scene whose patterns all have the same picture.
+/// The file that every mesh here is read from.
+const TRIANGLE: &[u8] = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+
+/// What is in that file.
+fn mesh() -> Mesh {
+    static MESH: OnceLock<Mesh> = OnceLock::new();
+    let read = || {
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        let path = folder.path().join("triangle.obj");
+        std::fs::write(&path, TRIANGLE).expect("the folder is writable");
+        scene::import_mesh(&path, None).expect("a mesh")
+    };
+    MESH.get_or_init(read).clone()
+}
+
+/// Read a scene whose patterns all have the same picture, and whose meshes the same triangle.
 fn read(text: &str) -> Result<Scene, TestCaseError> {
-    let read = scene::parse_with(text, "any.toml", |_| Ok(PICTURE.to_vec()));
+    let read =
+        scene::parse_with(
+            text,
+            "any.toml",
+            |name| Ok(if name.ends_with(".obj") { TRIANGLE } else { PICTURE }.to_vec()),
+        );
     read.map_err(|error| TestCaseError::fail(format!("{error}\n{text}")))
 }
 
@@ -112,6 +132,15 @@ fn any_light() -> impl Strategy<Value = Light> {
     )
 }
 
+/// Points that are not all on one line.
+fn control_points() -> impl Strategy<Value = [DVec3; 16]> {
+    proptest::collection::vec(vector(), 16).prop_map(|points| {
+        let mut points: [DVec3; 16] = std::array::from_fn(|i| points[i]);
+        points[..3].copy_from_slice(&DVec3::AXES);
+        points
+    })
+}
+
 fn any_surface() -> impl Strategy<Value = Surface> {
     let size = || [positive(), positive(), positive()];
     let shape = prop_oneof![
@@ -122,6 +151,10 @@ fn any_surface() -> impl Strategy<Value = Surface> {
         positive().prop_map(|radius| surface::Shape::Disk { radius }),
         size().prop_map(|[radius, height, _]| surface::Shape::Cylinder { radius, height }),
         size().prop_map(|[radius, height, _]| surface::Shape::Cone { radius, height }),
+        (0..=surface::MOST_FLAKE_DEPTH).prop_map(|depth| surface::Shape::Sphereflake { depth }),
+        (0..=surface::MOST_TETRAHEDRON_DEPTH).prop_map(|depth| surface::Shape::Tetrahedron { depth }),
+        control_points().prop_map(|control_points| surface::Shape::Patch { control_points }),
+        file_name("obj").prop_map(|file| surface::Shape::Mesh(Mesh { file, ..mesh() })),
     ];
     (name(), vector(), vector(), size(), shape).prop_map(|(name, position, rotation_deg, scale, shape)| Surface {
         name,

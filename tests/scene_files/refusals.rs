@@ -222,7 +222,7 @@ fn values_have_the_right_type() {
     check(
         "{ plane = {} }",
         "\"plane\"",
-        "window.toml:21:9: surface[0].shape: must be a table with one of `plane`, `sphere`, `box`, `square`, `disk`, `cylinder`, `cone`, but is text",
+        "window.toml:21:9: surface[0].shape: must be a table with one of `plane`, `sphere`, `box`, `square`, `disk`, `cylinder`, `cone`, `sphereflake`, `tetrahedron`, `patch`, `mesh`, but is text",
     );
     check(
         "{ plane = {} }",
@@ -256,7 +256,7 @@ fn unknown_names_are_refused_and_the_known_ones_told() {
     check(
         "{ plane = {} }",
         "{ plain = {} }",
-        "window.toml:21:11: surface[0].shape.plain: is not known here; known are `plane`, `sphere`, `box`, `square`, `disk`, `cylinder`, `cone`",
+        "window.toml:21:11: surface[0].shape.plain: is not known here; known are `plane`, `sphere`, `box`, `square`, `disk`, `cylinder`, `cone`, `sphereflake`, `tetrahedron`, `patch`, `mesh`",
     );
     check(
         "material = \"floor\"",
@@ -266,7 +266,7 @@ fn unknown_names_are_refused_and_the_known_ones_told() {
     check(
         "{ plane = {} }",
         "{ mesh = { file = \"../../etc/passwd\" } }",
-        "window.toml:21:11: surface[0].shape.mesh: is not known here; known are `plane`, `sphere`, `box`, `square`, `disk`, `cylinder`, `cone`",
+        "window.toml:21:11: surface[0].shape.mesh: is not known here; known are `plane`, `sphere`, `box`, `square`, `disk`, `cylinder`, `cone`, `sphereflake`, `tetrahedron`, `patch`, `mesh`",
     );
     check(
         SHAPE,
