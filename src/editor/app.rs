@@ -74,8 +74,12 @@ impl App {
     /// Files dropped on the window, and the window asked to close.
     fn handle_events(&mut self, ctx: &egui::Context) {
         let dropped = ctx.input(|input| input.raw.dropped_files.first().map(|file| file.path().to_path_buf()));
-        if let Some(path) = dropped {
-            self.leave(ctx, Then::Open(path));
+        match dropped {
+            Some(path) if path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("obj")) => {
+                self.use_mesh(&path, None);
+            }
+            Some(path) => self.leave(ctx, Then::Open(path)),
+            None => {}
         }
         let closing = ctx.input(|input| input.viewport().close_requested());
         if closing && !self.files.may_close && self.session.history.is_modified() {

@@ -52,6 +52,8 @@ pub enum Command {
     InsertPreset(Preset),
     /// Add a surface.
     AddSurface(SurfaceKind),
+    /// Give the surface of that name another mesh.
+    ReplaceMesh(String),
     /// Add a material.
     AddMaterial,
     /// Add a plot.
@@ -122,6 +124,14 @@ pub enum SurfaceKind {
     Cylinder,
     /// A cone.
     Cone,
+    /// Balls on balls.
+    Sphereflake,
+    /// A tetrahedron of tetrahedra.
+    Tetrahedron,
+    /// A curved sheet.
+    Patch,
+    /// Triangles from a file.
+    Mesh,
 }
 
 impl LightKind {
@@ -200,11 +210,40 @@ impl LightKind {
 
 impl SurfaceKind {
     /// All of them, in menu order.
-    pub const ALL: [Self; 7] =
-        [Self::Plane, Self::Sphere, Self::Box, Self::Square, Self::Disk, Self::Cylinder, Self::Cone];
+    pub const ALL: [Self; 11] = [
+        Self::Plane,
+        Self::Sphere,
+        Self::Box,
+        Self::Square,
+        Self::Disk,
+        Self::Cylinder,
+        Self::Cone,
+        Self::Patch,
+        Self::Mesh,
+        Self::Sphereflake,
+        Self::Tetrahedron,
+    ];
 
-    fn shape(self) -> surface::Shape {
+    fn label(self) -> String {
+        self.shape().map_or_else(|| "Mesh…".to_owned(), |shape| upper_first(shape.name()))
+    }
+
+    /// What it is, where its name does not say all.
+    fn hint(self) -> Option<&'static str> {
         match self {
+            Self::Patch => Some("A curved sheet, such as a sail: a bicubic Bézier patch"),
+            Self::Mesh => Some("Triangles from an OBJ file"),
+            Self::Sphereflake => Some("Balls on balls, to try shadows of many spheres"),
+            Self::Tetrahedron => Some("Thousands of triangles, to try shadows of many"),
+            _ => None,
+        }
+    }
+
+    /// The shape that a new surface of this kind has; none where a file has to be chosen first.
+    fn shape(self) -> Option<surface::Shape> {
+        Some(match self {
+            Self::Mesh => return None,
+            Self::Patch => surface::Shape::Patch { control_points: edits::sail() },
             Self::Plane => surface::Shape::Plane {},
             Self::Sphere => surface::Shape::Sphere { radius: 0.5 },
             Self::Box => surface::Shape::Box { size: glam::DVec3::ONE },
@@ -212,7 +251,9 @@ impl SurfaceKind {
             Self::Disk => surface::Shape::Disk { radius: 0.5 },
             Self::Cylinder => surface::Shape::Cylinder { radius: 0.5, height: 1.0 },
             Self::Cone => surface::Shape::Cone { radius: 0.5, height: 1.0 },
-        }
+            Self::Sphereflake => surface::Shape::Sphereflake { depth: 2 },
+            Self::Tetrahedron => surface::Shape::Tetrahedron { depth: 5 },
+        })
     }
 }
 
@@ -261,7 +302,7 @@ impl Command {
             Self::OpenFile(path) => path.display().to_string(),
             Self::OpenExample(preset) | Self::InsertPreset(preset) => preset.title(),
             Self::AddLight(kind) => kind.label().to_owned(),
-            Self::AddSurface(kind) => upper_first(kind.shape().name()),
+            Self::AddSurface(kind) => kind.label(),
             Self::AddPlot(kind) => upper_first(edits::kind_name(*kind)),
             Self::Method(method) => method.to_string(),
             Self::ToggleTheme => "Switch dark/light theme".to_owned(),
@@ -282,7 +323,7 @@ impl Command {
             Self::SelectAll => "Select all",
             Self::SelectNone => "Select none",
             Self::AddMaterial => "Material",
-            Self::ReplacePattern(_) => "Replace…",
+            Self::ReplacePattern(_) | Self::ReplaceMesh(_) => "Replace…",
             Self::Tool(Tool::Move) => "Move",
             Self::Tool(Tool::Rotate) => "Rotate",
             Self::Tool(Tool::Scale) => "Scale",
@@ -306,6 +347,7 @@ impl Command {
     pub fn hint(&self) -> Option<&'static str> {
         match self {
             Self::AddLight(kind) => Some(kind.hint()),
+            Self::AddSurface(kind) => kind.hint(),
             _ => None,
         }
     }
@@ -395,7 +437,11 @@ impl Command {
             },
             Self::ReplacePattern(light) => app.choose_pattern(ctx, Some(light)),
             Self::InsertPreset(preset) => app.insert_preset(preset),
-            Self::AddSurface(kind) => session.add_surface(kind.shape()),
+            Self::AddSurface(kind) => match kind.shape() {
+                Some(shape) => session.add_surface(shape),
+                None => app.choose_mesh(ctx, None),
+            },
+            Self::ReplaceMesh(surface) => app.choose_mesh(ctx, Some(surface)),
             Self::AddMaterial => session.add_material(),
             Self::AddPlot(kind) => session.add_plot(kind),
             Self::Tool(tool) => session.tool = tool,

@@ -33,6 +33,9 @@ pub trait Dialogs {
 
     /// Which picture to use as a pattern.
     fn open_picture(&mut self, ctx: &egui::Context, folder: Option<&Path>) -> Answer;
+
+    /// Which OBJ file to use as a mesh.
+    fn open_mesh(&mut self, ctx: &egui::Context, folder: Option<&Path>) -> Answer;
 }
 
 /// The desktop's own dialogs.
@@ -109,6 +112,11 @@ impl Dialogs for Native {
         let pictures = rfd::AsyncFileDialog::new().add_filter("Picture", &["png", "jpg", "jpeg", "exr", "hdr"]);
         Self::wait(ctx, Self::start(pictures, folder).set_title("Choose a pattern").pick_file())
     }
+
+    fn open_mesh(&mut self, ctx: &egui::Context, folder: Option<&Path>) -> Answer {
+        let meshes = rfd::AsyncFileDialog::new().add_filter("Wavefront OBJ", &["obj"]);
+        Self::wait(ctx, Self::start(meshes, folder).set_title("Choose a mesh").pick_file())
+    }
 }
 
 impl Scripted {
@@ -127,6 +135,10 @@ impl Dialogs for Scripted {
     }
 
     fn open_picture(&mut self, _ctx: &egui::Context, _folder: Option<&Path>) -> Answer {
+        self.next()
+    }
+
+    fn open_mesh(&mut self, _ctx: &egui::Context, _folder: Option<&Path>) -> Answer {
         self.next()
     }
 }

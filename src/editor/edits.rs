@@ -9,7 +9,7 @@ use super::session::{Item, Session};
 use crate::light::pattern::Pattern;
 use crate::light::{Light, Polygon, Shape, Textured};
 use crate::scene::{self, Plot, PlotKind, PlotQuantity, Scene};
-use crate::surface::{self, Material, ReflectionModel, Surface};
+use crate::surface::{self, Material, Mesh, ReflectionModel, Surface};
 
 /// How far a copy is put from its original, metres.
 const COPY_OFFSET: DVec3 = DVec3::new(0.25, 0.25, 0.0);
@@ -36,25 +36,38 @@ impl Session {
         self.edit("Replace pattern", |scene| scene.lights[index] = light);
     }
 
+    /// Give the surface of that name another mesh.
+    pub fn replace_mesh(&mut self, name: &str, mesh: Mesh) {
+        let Some(index) = self.scene().surfaces.iter().position(|surface| surface.name == name) else { return };
+        let mut surface = Surface { shape: surface::Shape::Mesh(mesh), ..self.scene().surfaces[index].clone() };
+        let others: Vec<Surface> = self.scene().surfaces.iter().filter(|other| other.name != name).cloned().collect();
+        scene::keep_mesh_apart(&mut surface, &others);
+        self.edit("Replace mesh", |scene| scene.surfaces[index] = surface);
+    }
+
     /// Add a surface, with a material where the scene has none, and select it.
     pub fn add_surface(&mut self, shape: surface::Shape) {
-        let name = unique_name(self.scene().surfaces.iter().map(|other| &other.name), shape.name());
-        let position = resting_position(&shape);
+        let base = match &shape {
+            surface::Shape::Mesh(mesh) => stem(&mesh.file),
+            _ => shape.name().to_owned(),
+        };
         let label = format!("Add {}", shape.name());
+        let mut surface = Surface {
+            name: unique_name(self.scene().surfaces.iter().map(|other| &other.name), &base),
+            material: String::new(),
+            position: resting_position(&shape),
+            rotation_deg: DVec3::ZERO,
+            scale: DVec3::ONE,
+            shape,
+        };
+        scene::keep_mesh_apart(&mut surface, &self.scene().surfaces);
         let index = self.scene().surfaces.len();
         self.edit(&label, |scene| {
             if scene.materials.is_empty() {
                 scene.materials.push(new_material("material".to_owned()));
             }
-            let material = scene.materials[0].name.clone();
-            scene.surfaces.push(Surface {
-                name,
-                material,
-                position,
-                rotation_deg: DVec3::ZERO,
-                scale: DVec3::ONE,
-                shape,
-            });
+            surface.material.clone_from(&scene.materials[0].name);
+            scene.surfaces.push(surface);
         });
         self.selection.set([Item::Surface(index)]);
     }
@@ -158,12 +171,26 @@ pub(super) fn new_light(shape: Shape) -> Light {
 
 /// A light with a pattern, its longer side 1 m, called after the pattern's file.
 pub(super) fn textured(pattern: Pattern) -> Light {
-    let name = Path::new(&pattern.file).file_stem().unwrap_or_default().to_string_lossy().into_owned();
+    let name = stem(&pattern.file);
     let channel = &pattern.image.channels()[0];
     let texels = DVec2::new(channel.width() as f64, channel.height() as f64);
     let size = texels / texels.max_element();
     let light = new_light(Shape::Textured(Textured { size, pattern, two_sided: false }));
     Light { name, ..light }
+}
+
+/// A file's own name without its extension.
+fn stem(file: &str) -> String {
+    Path::new(file).file_stem().unwrap_or_default().to_string_lossy().into_owned()
+}
+
+/// The control points of a sheet of 1.2 m, spread between two high and two low corners.
+pub(super) fn sail() -> [DVec3; 16] {
+    std::array::from_fn(|k| {
+        // Sixths of the width, so that the numbers are short.
+        let (x, y) = ((k % 4) as f64 * 2.0 - 3.0, (k / 4) as f64 * 2.0 - 3.0);
+        DVec3::new(x / 5.0, y / 5.0, x * y / 25.0)
+    })
 }
 
 /// A rectangle about the origin.
@@ -205,15 +232,12 @@ fn unique_name<'a>(taken: impl Iterator<Item = &'a String>, base: &str) -> Strin
 
 /// Where a new surface stands on the ground.
 fn resting_position(shape: &surface::Shape) -> DVec3 {
-    use surface::Shape::{Box, Cone, Cylinder, Disk, Plane, Sphere, Square};
-    let height = match *shape {
-        Plane {} => 0.0,
-        Sphere { radius } => radius,
-        Box { size } => 0.5 * size.z,
-        Cylinder { height, .. } | Cone { height, .. } => 0.5 * height,
-        Square { .. } | Disk { .. } => 1.0,
-    };
-    height * DVec3::Z
+    use surface::Shape::{Disk, Patch, Plane, Square};
+    match shape {
+        Plane {} => DVec3::ZERO,
+        Square { .. } | Disk { .. } | Patch { .. } => DVec3::Z,
+        _ => -shape.bounds().map_or(0.0, |bounds| bounds.min.z) * DVec3::Z,
+    }
 }
 
 fn new_material(name: String) -> Material {

@@ -8,6 +8,7 @@ use super::edits;
 use super::presets::Preset;
 use super::session::{Session, ViewState};
 use crate::scene::{self, Scene};
+use crate::surface::Shape;
 
 /// How many recent files are kept.
 const MOST_RECENT: usize = 10;
@@ -48,6 +49,8 @@ enum Purpose {
     Save(Option<Then>),
     /// Add a light with a pattern, or give another pattern to the light of that name.
     Pattern(Option<String>),
+    /// Add a surface with a mesh, or give another mesh to the surface of that name.
+    Mesh(Option<String>),
 }
 
 /// What to do where the desktop has no file dialogs.
@@ -150,6 +153,7 @@ impl App {
                 self.write(ctx, &path, then);
             }
             (Reply::Chosen(path), Purpose::Pattern(light)) => self.use_pattern(&path, light.as_deref()),
+            (Reply::Chosen(path), Purpose::Mesh(surface)) => self.use_mesh(&path, surface.as_deref()),
         }
     }
 
@@ -163,6 +167,21 @@ impl App {
         match (scene::import_pattern(path, self.session.path.as_deref()), light) {
             (Ok(pattern), None) => self.session.add_light(edits::textured(pattern)),
             (Ok(pattern), Some(name)) => self.session.replace_pattern(name, pattern),
+            (Err(error), _) => self.session.failed(error),
+        }
+    }
+
+    /// Ask for an OBJ file: for a new surface, or for the surface of that name.
+    pub fn choose_mesh(&mut self, ctx: &egui::Context, surface: Option<String>) {
+        let answer = self.dialogs.open_mesh(ctx, self.folder().as_deref());
+        self.files.waiting = Some((answer, Purpose::Mesh(surface)));
+    }
+
+    /// Add a surface with the mesh of a file, or give it to the surface of that name.
+    pub(super) fn use_mesh(&mut self, path: &Path, surface: Option<&str>) {
+        match (scene::import_mesh(path, self.session.path.as_deref()), surface) {
+            (Ok(mesh), None) => self.session.add_surface(Shape::Mesh(mesh)),
+            (Ok(mesh), Some(name)) => self.session.replace_mesh(name, mesh),
             (Err(error), _) => self.session.failed(error),
         }
     }
@@ -216,7 +235,7 @@ impl App {
 
 /// What *New* starts with: a floor, a ball and a box, and no light yet.
 pub fn starting_scene() -> Scene {
-    use crate::surface::{Material, ReflectionModel, Shape, Surface};
+    use crate::surface::{Material, ReflectionModel, Surface};
     use glam::DVec3;
     let surface = |name: &str, position: DVec3, shape| Surface {
         name: name.to_owned(),

@@ -146,6 +146,20 @@ fn a_scene_dropped_on_the_window_is_opened() {
 }
 
 #[test]
+fn a_mesh_dropped_on_the_window_is_added() {
+    let mut window = Window::with_scene();
+    let before = window.scene().surfaces.len();
+    let path = window.path("dropped.OBJ");
+    std::fs::write(&path, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").expect("the file is written");
+    window.harness.input_mut().dropped_files.push(Arc::new(Dropped(path)));
+    window.harness.step();
+    window.settle();
+    let scene = window.scene();
+    assert_eq!(scene.surfaces.len(), before + 1, "one more");
+    assert!(scene::to_toml(&scene).contains("shape = { mesh = { file = \"dropped.OBJ\" } }"), "beside the scene");
+}
+
+#[test]
 fn a_recent_file_can_be_opened_again_from_the_menu() {
     let mut window = Window::with_scene();
     window.key(Modifiers::COMMAND, Key::N);

@@ -130,6 +130,48 @@ fn a_textured_light_is_made_of_a_picture_that_goes_along_when_the_scene_is_saved
 }
 
 #[test]
+fn surfaces_of_many_parts_are_added_edited_and_taken_back() {
+    let mut window = Window::with(EMPTY);
+    let before = window.scene();
+    for (kind, field, number, passage) in [
+        ("Sphereflake", "Depth", "1", "position = [0.0, 0.0, 0.5]\nshape = { sphereflake = { depth = 1 } }"),
+        ("Tetrahedron", "Depth", "0", "shape = { tetrahedron = { depth = 0 } }"),
+        ("Patch", "Point 2 3 Z", "0.75", "[0.2, -0.2, 0.75]"),
+    ] {
+        window.menu(&["Add", "Surface", kind]);
+        window.enter(field, number);
+        let text = scene::to_toml(&window.scene());
+        assert!(text.contains(passage), "`{passage}` in\n{text}");
+        let steps = window.steps_back();
+        assert_eq!(steps.len(), 2, "one step a field: {steps:?}");
+        assert_eq!(window.scene(), before, "{kind} is gone");
+    }
+}
+
+#[test]
+fn a_mesh_is_added_from_a_file_and_replaced_and_goes_along_when_the_scene_is_saved() {
+    const TRIANGLE: &str = "v 0 0 -1\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    let mut window = Window::with(EMPTY);
+    let elsewhere = tempfile::tempdir().expect("a temporary folder");
+    let [stool, chair] = ["stool.obj", "chair.obj"].map(|name| elsewhere.path().join(name));
+    std::fs::write(&stool, TRIANGLE).expect("the folder is writable");
+    std::fs::write(&chair, format!("{TRIANGLE}f 1 3 2\n")).expect("the folder is writable");
+    window.choose(Some(&stool));
+    window.menu(&["Add", "Surface", "Mesh…"]);
+    let text = scene::to_toml(&window.scene());
+    let passage = "position = [0.0, 0.0, 1.0]\nshape = { mesh = { file = \"meshes/stool.obj\" } }";
+    assert!(text.contains("name = \"stool\"") && text.contains(passage), "on the ground:\n{text}");
+    assert!(window.says("1 triangles, flat"), "the inspector shows it");
+    window.choose(Some(&chair));
+    window.click("Replace mesh");
+    assert!(window.says("2 triangles, flat"), "another mesh");
+    window.key(Modifiers::COMMAND, Key::S);
+    let saved = scene::load(window.path("scene.toml")).expect("the scene and its mesh are there");
+    assert_eq!(saved, *window.scene(), "what was saved");
+    assert_eq!(window.steps_back(), ["Replace mesh", "Add mesh"], "two steps");
+}
+
+#[test]
 fn what_is_no_picture_is_refused_in_one_line() {
     let mut window = Window::with(EMPTY);
     let path = window.path("scene.toml");

@@ -263,6 +263,10 @@ fn surface_icon(shape: &surface::Shape) -> MaterialIcon {
         surface::Shape::Disk { .. } => icons::ICON_ADJUST,
         surface::Shape::Cylinder { .. } => icons::ICON_DATABASE,
         surface::Shape::Cone { .. } => icons::ICON_CHANGE_HISTORY,
+        surface::Shape::Sphereflake { .. } => icons::ICON_BUBBLE_CHART,
+        surface::Shape::Tetrahedron { .. } => icons::ICON_DETAILS,
+        surface::Shape::Patch { .. } => icons::ICON_SAILING,
+        surface::Shape::Mesh(_) => icons::ICON_CHAIR,
     }
 }
 

@@ -10,7 +10,8 @@ use crate::editor::handles::segment_distance;
 use crate::editor::session::Item;
 use crate::light::{Emitter, Light};
 use crate::scene::Scene;
-use crate::surface::{Hit, Placed, Surface};
+use crate::surface::{Bounds, Hit, Surface};
+use crate::visibility::{Objects, Structure};
 
 /// An outline or a symbol is meant within this distance on screen, points.
 const REACH: f32 = 6.0;
@@ -18,11 +19,18 @@ const REACH: f32 = 6.0;
 pub const SYMBOL: f32 = 12.0;
 
 /// The surfaces of a scene, prepared for rays; rebuilt only when they change.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub struct Solids {
     source: Vec<Surface>,
-    /// The parts of each surface.
-    placed: Vec<Vec<Placed>>,
+    objects: Objects,
+    /// The box about each surface; none of an infinite plane.
+    bounds: Vec<Option<Bounds>>,
+}
+
+impl Default for Solids {
+    fn default() -> Self {
+        Self { source: Vec::new(), objects: Objects::new(&[], Structure::default()), bounds: Vec::new() }
+    }
 }
 
 impl Solids {
@@ -30,7 +38,12 @@ impl Solids {
     pub fn update(&mut self, surfaces: &[Surface]) {
         if self.source != surfaces {
             self.source = surfaces.to_vec();
-            self.placed = surfaces.iter().map(Placed::parts).collect();
+            self.objects = Objects::new(surfaces, Structure::default());
+            self.bounds = vec![Some(Bounds::EMPTY); surfaces.len()];
+            for (i, part) in self.objects.parts().iter().enumerate() {
+                let bounds = &mut self.bounds[self.objects.surface_of(i)];
+                *bounds = bounds.and_then(|bounds| Some(bounds.union(part.bounds()?)));
+            }
         }
     }
 
@@ -41,21 +54,20 @@ impl Solids {
 
     /// The first surface that a ray meets.
     pub fn nearest(&self, ray: &Ray) -> Option<(usize, Hit)> {
-        let parts = self.placed.iter().enumerate().flat_map(|(i, parts)| parts.iter().map(move |part| (i, part)));
-        let hits = parts.filter_map(|(i, part)| Some((i, part.intersect(ray.origin, ray.direction)?)));
-        hits.min_by(|(_, a), (_, b)| a.t.total_cmp(&b.t))
+        let (object, hit) = self.objects.nearest(ray.origin, ray.direction)?;
+        Some((self.objects.surface_of(object), hit))
     }
 
     /// Whether some surface stands between the eye and `p`.
     pub fn hide(&self, eye: DVec3, p: DVec3) -> bool {
-        // The ray is as long as the way, so that t = 1 is at `p`; what `p` itself lies on does not hide it.
-        self.placed.iter().flatten().any(|part| part.intersect(eye, p - eye).is_some_and(|hit| hit.t < 1.0 - 1e-3))
+        // What `p` itself lies on does not hide it.
+        self.objects.hides(eye, (1.0 - 1e-3) * (p - eye))
     }
 
     /// The corners of the box about a surface, counted in binary; none of an infinite plane.
     pub fn corners(&self, index: usize) -> Vec<DVec3> {
-        let bounds = |parts: &Vec<Placed>| parts.iter().map(Placed::bounds).reduce(|a, b| Some(a?.union(b?)));
-        let Some(bounds) = self.placed.get(index).and_then(bounds).flatten() else { return Vec::new() };
+        let bounds = self.bounds.get(index).copied().flatten().filter(|bounds| bounds.min.is_finite());
+        let Some(bounds) = bounds else { return Vec::new() };
         let pick = |corner: i32, bit: i32, axis: usize| {
             if corner & bit == 0 { bounds.min[axis] } else { bounds.max[axis] }
         };

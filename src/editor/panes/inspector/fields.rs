@@ -122,6 +122,22 @@ impl Fields<'_> {
         ui.end_row();
     }
 
+    /// A row with a whole number.
+    pub(super) fn whole(
+        &mut self,
+        ui: &mut Ui,
+        label: &str,
+        range: RangeInclusive<u32>,
+        value: u32,
+        set: impl FnOnce(&mut Scene, u32),
+    ) {
+        let name = row_label(ui, label);
+        let mut edited = value;
+        let response = ui.add(DragValue::new(&mut edited).range(range).speed(0.05)).labelled_by(name);
+        self.apply(&response, &format!("Change {}", label.to_lowercase()), |scene| set(scene, edited));
+        ui.end_row();
+    }
+
     /// A row with three numbers, called X, Y and Z.
     pub(super) fn vector(
         &mut self,

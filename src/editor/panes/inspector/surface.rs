@@ -1,11 +1,13 @@
 //! A surface's numbers.
 
 use egui::Ui;
+use glam::DVec3;
 
-use super::fields::{Fields, Number};
+use super::fields::{Fields, Number, row_label};
 use super::material;
+use crate::editor::commands::Command;
 use crate::scene::Scene;
-use crate::surface::{Shape, Surface};
+use crate::surface::{MOST_FLAKE_DEPTH, MOST_TETRAHEDRON_DEPTH, Mesh, Shape, Surface};
 
 pub(super) fn show(ui: &mut Ui, fields: &mut Fields<'_>, index: usize) {
     let Some(surface) = fields.scene().surfaces.get(index).cloned() else { return };
@@ -14,7 +16,7 @@ pub(super) fn show(ui: &mut Ui, fields: &mut Fields<'_>, index: usize) {
         let choices: Vec<_> = materials.into_iter().map(|name| (name.clone(), name)).collect();
         let set = at(index, |surface, name| surface.material = name);
         fields.choice(ui, "Material", &surface.material, &choices, set);
-        shape(ui, fields, index, &surface.shape);
+        shape(ui, fields, index, &surface);
     });
     fields.section(ui, "Placement", |ui, fields| {
         fields.vector(ui, "Position", &Number::PLACE, surface.position, at(index, |s, p| s.position = p));
@@ -39,12 +41,22 @@ fn at<T>(index: usize, set: impl Fn(&mut Surface, T)) -> impl Fn(&mut Scene, T) 
     }
 }
 
-fn shape(ui: &mut Ui, fields: &mut Fields<'_>, index: usize, shape: &Shape) {
+fn shape(ui: &mut Ui, fields: &mut Fields<'_>, index: usize, surface: &Surface) {
     let mut length = |ui: &mut Ui, label: &str, value: f64, remake: fn(&Shape, f64) -> Shape| {
         fields.number(ui, label, &Number::LENGTH, value, at(index, move |s, v| s.shape = remake(&s.shape, v)));
     };
-    match *shape {
+    match surface.shape {
+        Shape::Mesh(ref mesh) => mesh_row(ui, fields, &surface.name, mesh),
+        Shape::Patch { ref control_points } => control_point_rows(ui, fields, index, control_points),
         Shape::Plane {} => fields.derived(ui, "Extent", "infinite"),
+        Shape::Sphereflake { depth } => {
+            let set = at(index, |surface: &mut Surface, depth| surface.shape = Shape::Sphereflake { depth });
+            fields.whole(ui, "Depth", 0..=MOST_FLAKE_DEPTH, depth, set);
+        }
+        Shape::Tetrahedron { depth } => {
+            let set = at(index, |surface: &mut Surface, depth| surface.shape = Shape::Tetrahedron { depth });
+            fields.whole(ui, "Depth", 0..=MOST_TETRAHEDRON_DEPTH, depth, set);
+        }
         Shape::Sphere { radius } => length(ui, "Radius", radius, with_radius),
         Shape::Disk { radius } => length(ui, "Radius", radius, with_radius),
         Shape::Cylinder { radius, height } | Shape::Cone { radius, height } => {
@@ -62,13 +74,42 @@ fn shape(ui: &mut Ui, fields: &mut Fields<'_>, index: usize, shape: &Shape) {
     }
 }
 
+/// A mesh's file and size, and another in its place.
+fn mesh_row(ui: &mut Ui, fields: &mut Fields<'_>, surface: &str, mesh: &Mesh) {
+    row_label(ui, "Mesh");
+    ui.vertical(|ui| {
+        ui.monospace(&mesh.file);
+        let look = if mesh.triangles.iter().any(|triangle| triangle.normals.is_some()) { "smooth" } else { "flat" };
+        ui.weak(format!("{} triangles, {look}", mesh.triangles.len()));
+        let button = egui::Button::new("Replace…").min_size(egui::vec2(70.0, 20.0));
+        let response = ui.add(button).on_hover_text("Choose another OBJ file");
+        if response.accessible_name("Replace mesh").clicked() {
+            fields.commands.push(Command::ReplaceMesh(surface.to_owned()));
+        }
+    });
+    ui.end_row();
+}
+
+/// The control points of a patch, each called by its row and its place in it.
+fn control_point_rows(ui: &mut Ui, fields: &mut Fields<'_>, index: usize, control_points: &[DVec3; 16]) {
+    for (i, p) in control_points.iter().enumerate() {
+        let label = format!("Point {} {}", i / 4 + 1, i % 4 + 1);
+        let set = at(index, move |surface: &mut Surface, p| {
+            if let Shape::Patch { control_points } = &mut surface.shape {
+                control_points[i] = p;
+            }
+        });
+        fields.vector(ui, &label, &Number::PLACE, *p, set);
+    }
+}
+
 fn with_radius(shape: &Shape, radius: f64) -> Shape {
     match *shape {
         Shape::Sphere { .. } => Shape::Sphere { radius },
         Shape::Disk { .. } => Shape::Disk { radius },
         Shape::Cylinder { height, .. } => Shape::Cylinder { radius, height },
         Shape::Cone { height, .. } => Shape::Cone { radius, height },
-        Shape::Plane {} | Shape::Box { .. } | Shape::Square { .. } => shape.clone(),
+        _ => shape.clone(),
     }
 }
 
@@ -76,9 +117,7 @@ fn with_height(shape: &Shape, height: f64) -> Shape {
     match *shape {
         Shape::Cylinder { radius, .. } => Shape::Cylinder { radius, height },
         Shape::Cone { radius, .. } => Shape::Cone { radius, height },
-        Shape::Plane {} | Shape::Sphere { .. } | Shape::Box { .. } | Shape::Square { .. } | Shape::Disk { .. } => {
-            shape.clone()
-        }
+        _ => shape.clone(),
     }
 }
 
