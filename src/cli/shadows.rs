@@ -1,7 +1,7 @@
 //! Whether shadows are cast.
 
 use crate::render::Shadows;
-use crate::visibility::Structure;
+use crate::visibility::Structures;
 
 /// Options of every command that shades.
 #[derive(Clone, Copy, Debug, clap::Args)]
@@ -9,9 +9,10 @@ pub(super) struct ShadowArgs {
     /// Let every light reach everything.
     #[arg(long)]
     no_shadows: bool,
-    /// How the surfaces that may cast a shadow are found: all give the same answer, at different speed.
+    /// How surfaces are found: every, grid[-N], light-buffer[-N] or hierarchy, or one of them for rays and one for
+    /// shadows, such as grid-20/light-buffer-72. All give the same answer, at different speed.
     #[arg(long, default_value_t, value_name = "STRUCTURE", conflicts_with = "no_shadows")]
-    structure: Structure,
+    structure: Structures,
 }
 
 impl ShadowArgs {

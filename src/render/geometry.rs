@@ -8,7 +8,7 @@ use super::emitters::{PlacedEmitter, distant_luminance, intersect_emitter};
 use crate::light::Emitter;
 use crate::scene::Scene;
 use crate::shading::ShadingPoint;
-use crate::visibility::{Objects, Structure};
+use crate::visibility::{Objects, Structures};
 
 /// The surfaces of a scene and its visible emitters, prepared for rays.
 #[derive(Clone, Debug)]
@@ -54,16 +54,20 @@ impl Seen {
 impl Geometry {
     /// All surfaces of the scene, and those of its lights that have an area and are not muted.
     pub fn new(scene: &Scene) -> Self {
-        Self::with_structure(scene, Structure::default())
+        Self::with_structures(scene, Structures::default())
     }
 
-    /// The same, found by this structure.
-    pub fn with_structure(scene: &Scene, structure: Structure) -> Self {
+    /// The same, found by these structures.
+    pub fn with_structures(scene: &Scene, structures: Structures) -> Self {
         let material = |name: &String| scene.materials.iter().position(|material| material.name == *name);
         let emitters = scene.lights.iter().enumerate().filter(|(_, light)| !light.muted);
+        let lines = scene.lights.iter().filter_map(|light| match light.emitter() {
+            Emitter::Line(line) => Some([line.a, line.b]),
+            _ => None,
+        });
         let distant = emitters.clone().map(|(_, light)| (light.emitter(), light.weight()));
         Self {
-            objects: Arc::new(Objects::new(&scene.surfaces, structure)),
+            objects: Arc::new(Objects::new(&scene.surfaces, structures).for_lines(lines)),
             materials: scene.surfaces.iter().map(|surface| material(&surface.material)).collect(),
             emitters: emitters
                 .filter_map(|(i, light)| Some((i, PlacedEmitter::of_light(light)?, light.weight())))

@@ -25,7 +25,7 @@ use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 
 use crate::scene::{Camera, Scene};
-use crate::visibility::Structure;
+use crate::visibility::Structures;
 
 /// Edge of the square of pixels that is one piece of work.
 const TILE: u32 = 32;
@@ -55,13 +55,13 @@ pub struct Settings {
 pub enum Shadows {
     /// Every light reaches everything.
     None,
-    /// They do; what casts them is found by this structure.
-    Cast(Structure),
+    /// They do; what casts them is found by these structures.
+    Cast(Structures),
 }
 
 impl Default for Shadows {
     fn default() -> Self {
-        Self::Cast(Structure::default())
+        Self::Cast(Structures::default())
     }
 }
 
@@ -128,8 +128,8 @@ pub fn prepare(scene: &Scene, choice: MethodChoice, shadows: Shadows) -> (Geomet
     let lighting = Lighting::new(scene, choice);
     match shadows {
         Shadows::None => (Geometry::new(scene), lighting),
-        Shadows::Cast(structure) => {
-            let geometry = Geometry::with_structure(scene, structure);
+        Shadows::Cast(structures) => {
+            let geometry = Geometry::with_structures(scene, structures);
             let lighting = lighting.with_shadows(geometry.objects());
             (geometry, lighting)
         }

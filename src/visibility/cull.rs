@@ -8,7 +8,7 @@ use glam::DVec3;
 use crate::surface::Bounds;
 
 /// How far tests are widened, relative to the numbers involved.
-const SLACK: f64 = 1e-9;
+pub(super) const SLACK: f64 = 1e-9;
 
 /// A box, larger by [`SLACK`] of its greatest coordinate. None when it is not finite, so that nothing can be said.
 pub(super) fn padded(bounds: &Bounds) -> Option<Bounds> {
@@ -105,6 +105,11 @@ impl Hull<Vec<Axis>> {
 }
 
 impl<A: AsRef<[Axis]>> Hull<A> {
+    /// The box about it.
+    pub(super) fn bounds(&self) -> &Bounds {
+        &self.bounds
+    }
+
     /// Whether the hull may touch a box: no axis parts them.
     pub(super) fn touches(&self, bounds: &Bounds) -> bool {
         if self.bounds.max.cmplt(bounds.min).any() || self.bounds.min.cmpgt(bounds.max).any() {

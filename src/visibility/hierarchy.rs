@@ -44,7 +44,7 @@ struct Leaf {
 }
 
 #[expect(clippy::cast_possible_truncation, reason = "memory ends long before 2^32 objects")]
-fn index(i: usize) -> u32 {
+pub(super) fn index(i: usize) -> u32 {
     i as u32
 }
 
@@ -204,4 +204,52 @@ fn bin(leaf: &Leaf, centers: &Bounds, axis: usize) -> usize {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a share from 0 to 1, or NaN for 0/0")]
     let bin = (share * BINS as f64) as usize;
     bin.min(BINS - 1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::surface::{Shape, Surface};
+
+    /// A row of spheres on a plane; every third in the same place as the one before.
+    fn row(count: usize) -> Vec<Placed> {
+        let surface = |i: usize, shape| Surface {
+            name: "s".to_owned(),
+            material: "m".to_owned(),
+            position: DVec3::new((i - i.saturating_sub(1) % 3 / 2) as f64, 0.0, 0.0),
+            rotation_deg: DVec3::ZERO,
+            scale: DVec3::ONE,
+            shape,
+        };
+        let spheres = (0..count).map(|i| surface(i, Shape::Sphere { radius: 0.4 }));
+        std::iter::once(surface(0, Shape::Plane {})).chain(spheres).flat_map(|s| Placed::parts(&s)).collect()
+    }
+
+    #[test]
+    fn a_tree_holds_every_object_once_in_boxes_within_boxes() {
+        for count in [0, 1, 2, 3, 100, 1000] {
+            let hierarchy = Hierarchy::new(&row(count));
+            let nodes = hierarchy.nodes();
+            assert_eq!(hierarchy.unbounded(), [0], "the plane, of {count}");
+            assert_eq!(nodes.len(), (2 * count).saturating_sub(1), "nodes of {count}");
+            let mut objects: Vec<_> = nodes.iter().filter_map(|node| node.object).collect();
+            objects.sort_unstable();
+            assert!(objects.iter().copied().eq(1..=index(count)), "leaves of {count}: {objects:?}");
+            for (i, node) in nodes.iter().enumerate() {
+                let below = &nodes[i..node.skip as usize];
+                let bounds = below.iter().fold(Bounds::EMPTY, |bounds, node| bounds.union(node.bounds));
+                assert_eq!(node.bounds, bounds, "node {i} of {count} is about what it holds");
+                assert_eq!(below.len() == 1, node.object.is_some(), "node {i} of {count} is a leaf or has children");
+            }
+        }
+    }
+
+    #[test]
+    fn a_tree_over_a_row_is_no_deeper_than_twice_its_logarithm() {
+        let hierarchy = Hierarchy::new(&row(1000));
+        let nodes = hierarchy.nodes();
+        let above = |leaf: usize| (0..=leaf).filter(|&i| nodes[i].skip as usize > leaf).count();
+        let depth = (0..nodes.len()).map(above).max();
+        assert!(depth.is_some_and(|depth| depth <= 20), "1000 objects lie {depth:?} deep");
+    }
 }

@@ -5,11 +5,18 @@
 //! nothing on the side where both are.
 
 mod cull;
+mod grid;
 mod hierarchy;
 pub mod interval;
+mod light_buffer;
 pub mod line;
 mod objects;
 pub mod polygon;
+mod structure;
 
 pub use hierarchy::{Hierarchy, Node};
-pub use objects::{Objects, Structure, UnknownStructure};
+pub use objects::Objects;
+pub use structure::{Structure, Structures, UnknownStructure};
+
+#[cfg(test)]
+mod tests;

@@ -1,49 +1,16 @@
 //! The objects of a scene, and which of them to test.
+//!
+//! What is found never changes an answer, only how soon it is there.
 
-use std::fmt;
-use std::str::FromStr;
+use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::Hierarchy;
 use super::cull::{Axis, Hull, Ray};
+use super::grid::Grid;
+use super::light_buffer::LightBuffer;
+use super::{Hierarchy, Structure, Structures};
 use crate::surface::{Hit, Placed, Surface};
-
-/// How the objects that may lie on a ray or in a light's shadow are found.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Structure {
-    /// All of them are tested.
-    Every,
-    /// A hierarchy of bounding volumes.
-    #[default]
-    Hierarchy,
-}
-
-/// A name that no structure has.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("`{0}` is no structure; write every or hierarchy")]
-pub struct UnknownStructure(String);
-
-impl fmt::Display for Structure {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(match self {
-            Self::Every => "every",
-            Self::Hierarchy => "hierarchy",
-        })
-    }
-}
-
-impl FromStr for Structure {
-    type Err = UnknownStructure;
-
-    fn from_str(name: &str) -> Result<Self, UnknownStructure> {
-        match name {
-            "every" => Ok(Self::Every),
-            "hierarchy" => Ok(Self::Hierarchy),
-            _ => Err(UnknownStructure(name.to_owned())),
-        }
-    }
-}
 
 /// Everything that rays meet and that casts shadows: the parts of all surfaces.
 #[derive(Clone, Debug)]
@@ -51,13 +18,18 @@ pub struct Objects {
     parts: Vec<Placed>,
     /// The surface that each is a part of.
     surfaces: Vec<usize>,
-    finder: Finder,
+    rays: Arc<Finder>,
+    shadows: Arc<Finder>,
+    /// Sections of light buffers, where those find what is between a point and a line.
+    sections: Option<u32>,
+    buffers: Vec<LightBuffer>,
 }
 
 /// What finds them.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 enum Finder {
     Every,
+    Grid(Grid),
     Hierarchy(Hierarchy),
 }
 
@@ -66,17 +38,31 @@ pub(super) const AT_END: f64 = 1e-9;
 
 impl Objects {
     /// The parts of these surfaces.
-    pub fn new(surfaces: &[Surface], structure: Structure) -> Self {
+    pub fn new(surfaces: &[Surface], structures: impl Into<Structures>) -> Self {
         let parts = surfaces
             .iter()
             .enumerate()
             .flat_map(|(i, surface)| Placed::parts(surface).into_iter().map(move |part| (part, i)));
         let (parts, surfaces): (Vec<Placed>, _) = parts.unzip();
-        let finder = match structure {
-            Structure::Every => Finder::Every,
-            Structure::Hierarchy => Finder::Hierarchy(Hierarchy::new(&parts)),
+        let Structures { rays, shadows } = structures.into();
+        let finder = |structure| {
+            Arc::new(match structure {
+                Structure::Every => Finder::Every,
+                Structure::Grid(voxels) => Finder::Grid(Grid::new(&parts, voxels)),
+                Structure::LightBuffer(_) | Structure::Hierarchy => Finder::Hierarchy(Hierarchy::new(&parts)),
+            })
         };
-        Self { parts, surfaces, finder }
+        let sections = if let Structure::LightBuffer(sections) = shadows { Some(sections) } else { None };
+        let for_rays = finder(rays);
+        let for_shadows = if rays == shadows { Arc::clone(&for_rays) } else { finder(shadows) };
+        Self { parts, surfaces, rays: for_rays, shadows: for_shadows, sections, buffers: Vec::new() }
+    }
+
+    /// The same, prepared for linear lights between these ends.
+    pub fn for_lines(self, lines: impl Iterator<Item = [DVec3; 2]>) -> Self {
+        let Some(sections) = self.sections else { return self };
+        let buffers = lines.map(|[a, b]| LightBuffer::new(a, b, &self.parts, sections)).collect();
+        Self { buffers, ..self }
     }
 
     /// The objects.
@@ -92,7 +78,7 @@ impl Objects {
     /// The nearest hit in front of `origin`, and its object; of those equally near, the first.
     pub fn nearest(&self, origin: DVec3, direction: DVec3) -> Option<(usize, Hit)> {
         let mut nearest: Option<(usize, Hit)> = None;
-        self.along(origin, direction, f64::INFINITY, |object, limit| {
+        self.along(&self.rays, origin, direction, f64::INFINITY, |object, limit| {
             let Some(hit) = self.parts[object].intersect(origin, direction) else { return limit };
             if nearest.is_none_or(|(first, best)| hit.t < best.t || (hit.t == best.t && object < first)) {
                 nearest = Some((object, hit));
@@ -114,7 +100,7 @@ impl Objects {
 
     fn hides_within(&self, p: DVec3, direction: DVec3, end: f64) -> bool {
         let mut hidden = false;
-        self.along(p, direction, end, |object, limit| {
+        self.along(&self.shadows, p, direction, end, |object, limit| {
             hidden = hidden || self.parts[object].intersect(p, direction).is_some_and(|hit| hit.t < end);
             if hidden { f64::NEG_INFINITY } else { limit }
         });
@@ -122,18 +108,34 @@ impl Objects {
     }
 
     /// The objects that a ray may meet no farther than a limit, which `visit` takes and gives.
-    fn along(&self, origin: DVec3, direction: DVec3, limit: f64, mut visit: impl FnMut(usize, f64) -> f64) {
-        match &self.finder {
+    fn along(
+        &self,
+        finder: &Finder,
+        origin: DVec3,
+        direction: DVec3,
+        limit: f64,
+        mut visit: impl FnMut(usize, f64) -> f64,
+    ) {
+        match finder {
             Finder::Every => {
                 (0..self.parts.len()).fold(limit, |limit, object| visit(object, limit));
             }
+            Finder::Grid(grid) => grid.along(origin, direction, limit, visit),
             Finder::Hierarchy(hierarchy) => hierarchy.along(&Ray::new(origin, direction), limit, visit),
         }
     }
 
     /// The objects that may touch the triangle (p, a, b), in ascending order.
     pub fn in_triangle(&self, p: DVec3, a: DVec3, b: DVec3, found: &mut Vec<usize>) {
-        self.in_hull(|| Hull::triangle([p, a, b]), found);
+        found.clear();
+        if let Some(buffer) = self.buffers.iter().find(|buffer| buffer.is_along(a, b)) {
+            found.extend(buffer.objects(p).iter().map(|&object| object as usize));
+        } else if let Finder::Grid(grid) = &*self.shadows {
+            grid.in_triangle([p, a, b], |object| found.push(object));
+            found.sort_unstable();
+        } else {
+            self.in_hull(|| Hull::triangle([p, a, b]), found);
+        }
     }
 
     /// The objects that may touch the pyramid from p to a convex or non-convex polygon, in ascending order.
@@ -143,13 +145,17 @@ impl Objects {
 
     fn in_hull<A: AsRef<[Axis]>>(&self, hull: impl FnOnce() -> Hull<A>, found: &mut Vec<usize>) {
         found.clear();
-        match &self.finder {
+        match &*self.shadows {
             Finder::Every => found.extend(0..self.parts.len()),
+            Finder::Grid(grid) => {
+                let hull = hull();
+                grid.visit(hull.bounds(), |bounds| hull.touches(bounds), |object| found.push(object));
+            }
             Finder::Hierarchy(hierarchy) => {
                 let hull = hull();
                 hierarchy.visit(|bounds| hull.touches(bounds), |object| found.push(object));
-                found.sort_unstable();
             }
         }
+        found.sort_unstable();
     }
 }
