@@ -142,7 +142,7 @@ impl LightBuffer {
         let bounds = object.bounds()?;
         let blot = |p: DVec3, radius: f64| {
             let (center, at) = self.seen_along(p);
-            let slack = SLACK * (p.abs().max_element() + self.a.abs().max_element() + radius);
+            let slack = SLACK * (p.abs().max_element() + self.a.abs().max_element() + self.length + radius);
             Blot { center, at, radius: radius + slack }
         };
         let world_from_local = object.world_from_local();
