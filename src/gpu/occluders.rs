@@ -103,11 +103,15 @@ fn in_boxes(items: Vec<Item>) -> (Vec<Item>, u32, Vec<BoxNode>) {
     (items, always, nodes)
 }
 
+/// How far the triangles that stand for a patch may be from it, as a share of its size.
+const PATCH_ERROR: f64 = 2e-4;
+
 impl Items {
     /// The parts of surfaces. Those of no thickness at all are left out: no ray meets them.
     pub(crate) fn new(surfaces: &[Surface]) -> Self {
         let items = surfaces.iter().enumerate().flat_map(|(surface, stated)| {
-            Placed::parts(stated).into_iter().map(move |placed| Item { placed, surface })
+            let parts = Placed::parts(stated).into_iter().flat_map(|part| part.in_triangles(PATCH_ERROR));
+            parts.map(move |placed| Item { placed, surface })
         });
         let items = items.filter(|item| item.placed.local_from_world().is_finite());
         let (triangles, primitives): (Vec<_>, Vec<_>) =

@@ -100,6 +100,11 @@ impl Patch {
         halves.filter(|triangle| triangle.area() > 0.0).collect()
     }
 
+    /// The least number with which [`Self::triangles`] stay within `share` of the patch's size, up to 256.
+    pub fn fineness(&self, share: f64) -> u32 {
+        (1..256).find(|n| self.triangles_error(*n) <= share * self.size).unwrap_or(256)
+    }
+
     /// A bound of the distance between the patch and its [`Self::triangles`].
     ///
     /// (M_uu + 2 M_uv + M_vv)/(8n²) of the greatest second derivatives, which their control points bound.

@@ -2,7 +2,7 @@ use glam::DVec3;
 use proptest::prelude::*;
 
 use super::intersect::LocalHit;
-use super::{Patch, Triangle};
+use super::{Patch, Placed, Shape, Surface, Triangle};
 
 /// A sheet over the unit square, its control points lifted and shifted.
 fn sheet(moves: &[f64]) -> Patch {
@@ -154,6 +154,28 @@ fn a_patch_without_area_or_a_ray_without_direction_gives_nothing() {
     assert!(point.hit(DVec3::ZERO, DVec3::X).is_none(), "a point");
     assert!(point.triangles(4).is_empty(), "no triangles");
     assert!(sheet(&[0.0; 48]).hit(DVec3::Z, DVec3::ZERO).is_none(), "no direction");
+}
+
+#[test]
+fn a_placed_patch_falls_into_triangles_as_fine_as_asked_for() {
+    let shape = Shape::Patch { control_points: eighth().control_points };
+    let surface = Surface {
+        name: "eighth".to_owned(),
+        material: "clay".to_owned(),
+        position: DVec3::X,
+        rotation_deg: DVec3::ZERO,
+        scale: DVec3::splat(2.0),
+        shape,
+    };
+    for share in [1e-2, 1e-4] {
+        let parts = Placed::parts(&surface).remove(0).in_triangles(share);
+        let n = eighth().fineness(share);
+        assert!(eighth().triangles_error(n) <= 3.0_f64.sqrt() * share, "{n} for {share}");
+        assert_eq!(parts.len(), (2 * n * n - n) as usize, "those at the pole are single");
+        let middle = DVec3::X + 2.0 * eighth().at(0.4, 0.6).p;
+        let hit = parts.iter().find_map(|part| part.intersect(DVec3::X, middle - DVec3::X));
+        assert!(hit.is_some_and(|hit| (hit.t - 1.0).abs() < 2.0 * share), "{hit:?} within {share}");
+    }
 }
 
 #[test]

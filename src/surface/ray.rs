@@ -94,6 +94,17 @@ impl Placed {
         triangles.iter().map(placed).collect()
     }
 
+    /// A patch as triangles no farther from it than `share` of its size; anything else as it is.
+    pub fn in_triangles(self, share: f64) -> Vec<Self> {
+        match &self.primitive {
+            Primitive::Patch(patch) => {
+                let triangles = patch.triangles(patch.fineness(share));
+                Self::triangles(&self.frame.world_from_local, &triangles)
+            }
+            _ => vec![self],
+        }
+    }
+
     /// The primitive in its own frame.
     pub fn primitive(&self) -> &Primitive {
         &self.primitive
