@@ -13,6 +13,9 @@ use crate::visibility::{self, Hierarchy};
 /// Half the thickness of a slab that is none.
 const UNBOUNDED: f64 = 1e15;
 
+/// Primitives, at most, that are tested sooner than boxes about them.
+const FEW: usize = 3;
+
 /// Bindings of what rays meet, in `primitives.wgsl`.
 pub(crate) const BINDINGS: [Binding; 4] = [Binding::Uniform, Binding::Storage, Binding::Storage, Binding::Storage];
 
@@ -116,7 +119,11 @@ impl Items {
         let items = items.filter(|item| item.placed.local_from_world().is_finite());
         let (triangles, primitives): (Vec<_>, Vec<_>) =
             items.partition(|item| matches!(item.placed.primitive(), surface::Primitive::Triangle(_)));
-        let (primitives, always, primitive_nodes) = in_boxes(primitives);
+        let (primitives, mut always, mut primitive_nodes) = in_boxes(primitives);
+        if primitive_nodes.len() < 2 * FEW {
+            always = u32_of(primitives.len());
+            primitive_nodes.clear();
+        }
         let (triangles, _, triangle_nodes) = in_boxes(triangles);
         Self { surfaces: surfaces.to_vec(), primitives, triangles, always, primitive_nodes, triangle_nodes }
     }

@@ -57,6 +57,8 @@ modules! {
     GBUFFER = "gbuffer.wgsl";
     /// Whether something stands between.
     OCCLUSION = "occlusion.wgsl";
+    /// What is hidden of a linear light.
+    LINE_HIDDEN = "line_hidden.wgsl";
     /// A light's layer.
     LAYER = "layer.wgsl";
     /// A function over a table.

@@ -31,7 +31,6 @@ fn every_source() -> Vec<Source> {
     let mut sources: Vec<_> =
         Responder::ALL.iter().flat_map(|responder| [true, false].map(|matte| responder.source(matte))).collect();
     sources.push(GBufferPass::source());
-    sources.push(Source::join(&[Module::PRIMITIVES, Module::OCCLUSION]));
     sources.extend(CompositePass::sources());
     sources.extend(twin::FUNCTIONS.iter().map(twin::source));
     sources

@@ -9,6 +9,7 @@ use glam::DVec3;
 
 use super::context::Context;
 use super::lobes;
+use super::occluders::{self, Items};
 use super::pass;
 use super::read_back::{self, ReadBackError};
 use super::shader::{Module, Source};
@@ -16,6 +17,7 @@ use super::table;
 use super::types::{TwinRow, f32_of, u32_of, vec4_of};
 use crate::shading::one_shot::{Kernel, Prefiltered};
 use crate::shading::{Method, PhongLobe};
+use crate::surface::Surface;
 
 /// A WGSL function that has a twin of the same name in `shading`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -102,6 +104,17 @@ functions! {
     SKY_IRRADIANCE = "sky_irradiance" in SKY, "(v(0), vec2f(f(3), f(4)), v(5))";
     /// Row: zenith, uniform and cosine part, normal, mirror direction, exponent.
     SKY_PHONG = "sky_phong" in SKY, "(v(0), vec2f(f(3), f(4)), v(5), v(8), f(11))";
+    /// Row: p, to the light; among surfaces, p on none. Its twin is [`crate::visibility::Objects::hides`].
+    HIDES = "hides" in &[Module::PRIMITIVES, Module::OCCLUSION], "(v(0), v(3), 0xffffffffu)";
+    /// Row: p, to the light; p on the only surface. Its twin is [`crate::visibility::Objects::hides`].
+    HIDES_FROM_ITSELF = "hides" in &[Module::PRIMITIVES, Module::OCCLUSION], "(v(0), v(3), 0u)";
+    /// Row: p, to the light's beginning, along it, whether p is on the only surface, which of four numbers: two
+    /// intervals. Its twin is [`crate::visibility::line::visible_segments`].
+    HIDDEN_BY_PRIMITIVE = "hidden_by_primitive" in &[Module::PRIMITIVES, Module::OCCLUSION, Module::LINE_HIDDEN],
+        "(0u, v(0), v(3), v(6), f(9) > 0.0)[u32(f(10))]";
+    /// The same of a triangle: one interval.
+    HIDDEN_BY_TRIANGLE = "hidden_by_triangle" in &[Module::PRIMITIVES, Module::OCCLUSION, Module::LINE_HIDDEN],
+        "(0u, v(0), v(3), v(6))[u32(f(10))]";
     /// Row: y, x. Its twin is `f64::atan2`.
     ARCTANGENT = "arctangent" in &[], "(f(0), f(1))";
 }
@@ -213,12 +226,15 @@ pub fn share_of_bound(x: f32, expected: f64, scale: f64) -> f64 {
 pub struct Twin {
     context: Context,
     pipeline: wgpu::ComputePipeline,
+    layouts: [wgpu::BindGroupLayout; 4],
+    /// It reads what rays meet.
+    among: bool,
 }
 
 impl Twin {
     /// The function as it is.
     pub fn new(context: &Context, function: &Function) -> Self {
-        Self::compile(context, &source(function))
+        Self::compile(context, &source(function), function)
     }
 
     /// The function with an error in it: every `from` in its text is `to`. A comparison that can fail must then fail.
@@ -226,15 +242,16 @@ impl Twin {
     /// None where its text does not have `from`.
     pub fn with_error(context: &Context, function: &Function, from: &str, to: &str) -> Option<Self> {
         let (source, count) = source(function).replaced(from, to);
-        (count > 0).then(|| Self::compile(context, &source))
+        (count > 0).then(|| Self::compile(context, &source, function))
     }
 
-    fn compile(context: &Context, source: &Source) -> Self {
+    fn compile(context: &Context, source: &Source, function: &Function) -> Self {
         let module = source.compile(&context.device, "twin");
-        let layouts = layouts(&context.device);
+        let among = function.modules.contains(&Module::PRIMITIVES);
+        let layouts = layouts(&context.device, among);
         let layout = context.device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
             label: None,
-            bind_group_layouts: &[Some(&layouts[0]), Some(&layouts[1]), Some(&layouts[2])],
+            bind_group_layouts: &layouts.each_ref().map(Some),
             immediate_size: 0,
         });
         let pipeline = context.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
@@ -245,7 +262,7 @@ impl Twin {
             compilation_options: wgpu::PipelineCompilationOptions::default(),
             cache: None,
         });
-        Self { context: context.clone(), pipeline }
+        Self { context: context.clone(), pipeline, layouts, among }
     }
 
     /// The function's value on each row.
@@ -254,6 +271,15 @@ impl Twin {
     ///
     /// [`ReadBackError`] where the device was lost.
     pub fn run(&self, rows: &[Row]) -> Result<Vec<f32>, ReadBackError> {
+        self.run_among(rows, &[])
+    }
+
+    /// The same, among surfaces about the eye.
+    ///
+    /// # Errors
+    ///
+    /// [`ReadBackError`] where the device was lost.
+    pub fn run_among(&self, rows: &[Row], surfaces: &[Surface]) -> Result<Vec<f32>, ReadBackError> {
         let Some(first) = rows.first() else { return Ok(Vec::new()) };
         let device = &self.context.device;
         let table = Table::new(rows);
@@ -268,24 +294,36 @@ impl Twin {
         let places = pass::storage(device, &table.rows);
         let numbers = pass::storage(device, &table.numbers);
         let large = pass::storage(device, &first.table.numbers());
-        let groups =
-            [vec![(2, &lobes)], vec![(1, &vertices), (2, &large)], vec![(0, &places), (1, &numbers), (2, &results)]];
+        let mut of_light = vec![(1, &vertices), (2, &large)];
+        of_light.truncate(if self.among { 1 } else { 2 });
+        let group = |layout: &wgpu::BindGroupLayout, buffers: &[(u32, &wgpu::Buffer)]| {
+            let entries: Vec<_> = buffers
+                .iter()
+                .map(|(binding, buffer)| wgpu::BindGroupEntry {
+                    binding: *binding,
+                    resource: buffer.as_entire_binding(),
+                })
+                .collect();
+            device.create_bind_group(&wgpu::BindGroupDescriptor { label: None, layout, entries: &entries })
+        };
+        let occluders = if self.among {
+            Items::new(surfaces).about(DVec3::ZERO, &[]).group(device, &self.layouts[2])
+        } else {
+            group(&self.layouts[2], &[])
+        };
+        let groups = [
+            group(&self.layouts[0], &[(2, &lobes)]),
+            group(&self.layouts[1], &of_light),
+            occluders,
+            group(&self.layouts[3], &[(0, &places), (1, &numbers), (2, &results)]),
+        ];
 
         let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         {
             let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
             pass.set_pipeline(&self.pipeline);
-            for (index, (layout, buffers)) in (0..).zip(layouts(device).iter().zip(&groups)) {
-                let entries: Vec<_> = buffers
-                    .iter()
-                    .map(|(binding, buffer)| wgpu::BindGroupEntry {
-                        binding: *binding,
-                        resource: buffer.as_entire_binding(),
-                    })
-                    .collect();
-                let group =
-                    device.create_bind_group(&wgpu::BindGroupDescriptor { label: None, layout, entries: &entries });
-                pass.set_bind_group(index, &group, &[]);
+            for (index, group) in (0..).zip(&groups) {
+                pass.set_bind_group(index, group, &[]);
             }
             pass.dispatch_workgroups(u32_of(rows.len().div_ceil(64)), 1, 1);
         }
@@ -298,11 +336,12 @@ impl Twin {
 /// The whole shader.
 pub(crate) fn source(function: &Function) -> Source {
     let modules = [&[Module::COMMON], function.modules, &[Module::TWIN]].concat();
-    Source::join(&modules).with("evaluate", &format!("fn evaluate() -> f32 {{ return {}; }}", function.call))
+    Source::join(&modules).with("evaluate", &format!("fn evaluate() -> f32 {{ return f32({}); }}", function.call))
 }
 
-/// Lobes and vertices where the light shaders have them, and the rows.
-fn layouts(device: &wgpu::Device) -> [wgpu::BindGroupLayout; 3] {
+/// Lobes, vertices and what rays meet where the light shaders have them, and the rows. A stage has eight storage buffers:
+/// among what rays meet there is none for a table.
+fn layouts(device: &wgpu::Device, among: bool) -> [wgpu::BindGroupLayout; 4] {
     let layout = |bindings: &[(u32, bool)]| {
         let entries: Vec<_> = bindings
             .iter()
@@ -319,7 +358,16 @@ fn layouts(device: &wgpu::Device) -> [wgpu::BindGroupLayout; 3] {
             .collect();
         device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: None, entries: &entries })
     };
-    [layout(&[(2, true)]), layout(&[(1, true), (2, true)]), layout(&[(0, true), (1, true), (2, false)])]
+    let rows = layout(&[(0, true), (1, true), (2, false)]);
+    if among {
+        return [
+            layout(&[(2, true)]),
+            layout(&[(1, true)]),
+            pass::bind_group_layout(device, &occluders::BINDINGS),
+            rows,
+        ];
+    }
+    [layout(&[(2, true)]), layout(&[(1, true), (2, true)]), layout(&[]), rows]
 }
 
 /// Rows in the layout of `twin.wgsl`.

@@ -10,12 +10,22 @@ const AT_END = 1e-5;
 const GAP = 1e-6;
 const UNHIDDEN = vec2f(2.0, -1.0);
 
-// How far the light is hidden from t.x on, and where, if it is not, it is next, up to t.y.
-fn stretch_of_light(p: vec3f, to_a: vec3f, along: vec3f, own: u32, t: vec2f) -> vec2f {
-    var stretch = t;
+// Parts of the light that are hidden: up to four intervals from low to high, apart from each other, and the t up to which
+// they are all there is. A place without one has low = NOWHERE.
+struct Covered {
+    low: vec4f,
+    high: vec4f,
+    known: f32,
+}
+
+const NOWHERE = 8.0;
+
+// What is hidden of the light between t.x and t.y. A light that is hidden in more than four pieces takes more than one call.
+fn covered(p: vec3f, to_a: vec3f, along: vec3f, own: u32, t: vec2f) -> Covered {
+    var covers = Covered(vec4f(NOWHERE), vec4f(NOWHERE), t.y);
     for (var i = 0u; i < occluders.always; i++) {
         let hidden = hidden_by_primitive(i, p, to_a, along, i == own);
-        stretch = stretched(stretched(stretch, hidden.xy), hidden.zw);
+        covers = with_interval(with_interval(covers, t.x, hidden.xy), t.x, hidden.zw);
     }
     let wedge = wedge_of(to_a + t.x * along, to_a + t.y * along);
     var at = 0u;
@@ -28,7 +38,7 @@ fn stretch_of_light(p: vec3f, to_a: vec3f, along: vec3f, own: u32, t: vec2f) -> 
         }
         if item > 0u {
             let hidden = hidden_by_primitive(item - 1u, p, to_a, along, item - 1u == own);
-            stretch = stretched(stretched(stretch, hidden.xy), hidden.zw);
+            covers = with_interval(with_interval(covers, t.x, hidden.xy), t.x, hidden.zw);
         }
     }
     at = occluders.primitive_nodes;
@@ -40,21 +50,48 @@ fn stretch_of_light(p: vec3f, to_a: vec3f, along: vec3f, own: u32, t: vec2f) -> 
             at = select(nodes[at].skip, at + 1u, is_met);
         }
         if item > 0u && item - 1u != own {
-            stretch = stretched(stretch, hidden_by_triangle(item - 1u - occluders.primitives, p, to_a, along));
+            covers = with_interval(covers, t.x, hidden_by_triangle(item - 1u - occluders.primitives, p, to_a, along));
         }
     }
-    return stretch;
+    return covers;
 }
 
-// What an interval adds to how far it is hidden, and to where it is next.
-fn stretched(stretch: vec2f, hidden: vec2f) -> vec2f {
-    if hidden.y <= stretch.x + GAP || hidden.x > hidden.y {
-        return stretch;
+// Another interval, of which what is before `first` does not matter. With four others, the farthest is forgotten.
+fn with_interval(covers: Covered, first: f32, interval: vec2f) -> Covered {
+    let is_some = interval.y > interval.x + GAP && interval.y > first + GAP;
+    if !is_some {
+        return covers;
     }
-    if hidden.x <= stretch.x + GAP {
-        return vec2f(max(stretch.x, min(hidden.y, 1.0)), stretch.y);
+    let joins = covers.low <= vec4f(interval.y + GAP) & covers.high >= vec4f(interval.x - GAP);
+    let least = select(vec4f(NOWHERE), covers.low, joins);
+    let greatest = select(vec4f(-1.0), covers.high, joins);
+    let low = min(interval.x, min(min(least.x, least.y), min(least.z, least.w)));
+    let high = max(interval.y, max(max(greatest.x, greatest.y), max(greatest.z, greatest.w)));
+    let kept_low = select(covers.low, vec4f(NOWHERE), joins);
+    let kept_high = select(covers.high, vec4f(NOWHERE), joins);
+    let farthest = max(max(kept_low.x, kept_low.y), max(kept_low.z, kept_low.w));
+    if low >= farthest {
+        return Covered(kept_low, kept_high, min(covers.known, low));
     }
-    return vec2f(stretch.x, min(stretch.y, hidden.x));
+    let is_farthest = kept_low == vec4f(farthest);
+    let y = is_farthest.y && !is_farthest.x;
+    let z = is_farthest.z && !is_farthest.x && !is_farthest.y;
+    let w = is_farthest.w && !is_farthest.x && !is_farthest.y && !is_farthest.z;
+    let place = vec4<bool>(is_farthest.x, y, z, w);
+    return Covered(
+        select(kept_low, vec4f(low), place),
+        select(kept_high, vec4f(high), place),
+        select(covers.known, min(covers.known, farthest), farthest < NOWHERE),
+    );
+}
+
+// Where the light is hidden from t on, up to there; where it is not, t, and where it is next.
+fn stretch_of_light(covers: Covered, t: f32) -> vec2f {
+    let hides_it = covers.low <= vec4f(t + GAP) & covers.high > vec4f(t + GAP);
+    let high = select(vec4f(t), covers.high, hides_it);
+    let next = select(vec4f(covers.known), covers.low, covers.low > vec4f(t + GAP));
+    let end = max(max(high.x, high.y), max(high.z, high.w));
+    return vec2f(end, min(covers.known, min(min(next.x, next.y), min(next.z, next.w))));
 }
 
 // The triangle from p to a part of the light: its bounds, its plane, and the planes of its sides, about p.

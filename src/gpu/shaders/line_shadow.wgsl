@@ -26,12 +26,15 @@ fn line_shadow(at: Shading, to_a: vec3f, along: vec3f, own: u32) -> vec4f {
     var seen = vec2f();
     var t = first;
     while t < last {
-        let stretch = stretch_of_light(at.p, to_a, along, own, vec2f(t, last));
-        if stretch.x == t {
-            seen += line_part(at, to_a + t * along, to_a + stretch.y * along);
-            t = stretch.y;
-        } else {
-            t = stretch.x;
+        let covers = covered(at.p, to_a, along, own, vec2f(t, last));
+        while t < covers.known {
+            let stretch = stretch_of_light(covers, t);
+            if stretch.x == t {
+                seen += line_part(at, to_a + t * along, to_a + stretch.y * along);
+                t = stretch.y;
+            } else {
+                t = stretch.x;
+            }
         }
     }
     let whole = line_part(at, to_a + first * along, to_a + last * along);

@@ -118,7 +118,7 @@ fn span_of_quadric(quadric: vec4f, o: vec3f, d: vec3f, on: bool) -> vec2f {
         return nappe(a, d, vec2f(min(other, 0.0), max(other, 0.0)));
     }
     // From where the ray passes the centre: a far origin then costs no digits.
-    let shift = -dot(o, d) / dot(d, d);
+    let shift = -dot(o, d) / max(dot(d, d), 1e-30);
     let p = o + shift * d;
     let b = dot(quadric_gradient(quadric, p), d);
     let c = quadric_at(quadric, p);
