@@ -28,3 +28,12 @@ pub const COOK_TORRANCE_1982: &str = "Cook & Torrance 1982";
 /// E. P. F. Lafortune, S.-C. Foo, K. E. Torrance and D. P. Greenberg, *Non-Linear Approximation of Reflectance
 /// Functions*, SIGGRAPH 1997.
 pub const LAFORTUNE_1997: &str = "Lafortune et al. 1997";
+
+/// B. Burley, *Practical Hash-Based Owen Scrambling*, Journal of Computer Graphics Techniques 9(4), 2020.
+pub const BURLEY_2020: &str = "Burley 2020";
+
+/// P. Shirley and K. Chiu, *A Low Distortion Map Between Disk and Square*, Journal of Graphics Tools 2(3), 1997.
+pub const SHIRLEY_CHIU_1997: &str = "Shirley & Chiu 1997";
+
+/// E. Veach and L. J. Guibas, *Optimally Combining Sampling Techniques for Monte Carlo Rendering*, SIGGRAPH 1995.
+pub const VEACH_GUIBAS_1995: &str = "Veach & Guibas 1995";

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::MethodChoice;
-use super::shadow::shadowed_response;
+use super::shadow::{Casters, Precision, Shadow};
 use crate::scene::Scene;
 use crate::shading::{Lobe, Prepared, Response, ShadingPoint};
 use crate::surface::{Material, ReflectionModel};
@@ -18,13 +18,14 @@ use crate::visibility::Objects;
 pub struct Lighting {
     lights: Vec<Lit>,
     /// What casts shadows.
-    objects: Option<Arc<Objects>>,
+    casters: Option<Casters>,
 }
 
 #[derive(Clone, Debug)]
 struct Lit {
     light: Prepared,
     weight: DVec3,
+    shadow: Shadow,
 }
 
 /// A material prepared for shading.
@@ -50,29 +51,36 @@ impl Lighting {
         let lit = scene.lights.iter().flat_map(|light| {
             let method = choice.for_shape(&light.shape);
             let parts = light.parts().into_iter();
-            parts.map(move |(emitter, weight)| Lit { light: Prepared::new(&emitter, method), weight })
+            parts.map(move |(emitter, weight)| Lit {
+                light: Prepared::new(&emitter, method),
+                weight,
+                shadow: Shadow::new(&emitter),
+            })
         });
-        Self { lights: lit.collect(), objects: None }
+        Self { lights: lit.collect(), casters: None }
     }
 
     /// The same with the shadows that objects cast.
     pub fn with_shadows(self, objects: &Arc<Objects>) -> Self {
-        Self { objects: Some(Arc::clone(objects)), ..self }
+        let prepared = |lit: Lit| Lit { shadow: Shadow::new(lit.light.emitter()), ..lit };
+        Self { lights: self.lights.into_iter().map(prepared).collect(), casters: Some(Casters::new(objects)) }
     }
 
-    /// The same for pictures; see [`Prepared::for_pictures`].
+    /// The same for pictures; see [`Prepared::for_pictures`] and [`Precision::PICTURE`].
     pub fn for_pictures(self) -> Self {
-        let Self { lights, objects } = self;
-        let lights = lights.into_iter().map(|Lit { light, weight }| Lit { light: light.for_pictures(), weight });
-        Self { lights: lights.collect(), objects }
+        let Self { lights, casters } = self;
+        let lights = lights.into_iter().map(|lit| Lit { light: lit.light.for_pictures(), ..lit });
+        let casters = casters.map(|casters| casters.with_precision(Precision::PICTURE));
+        Self { lights: lights.collect(), casters }
     }
 
     /// L_out = Σ weight·(k_d/π·E + k_s·S) over the lights, with their unit responses E and S.
     pub fn outgoing(&self, reflection: &Reflection, at: &ShadingPoint) -> Outgoing {
         let mut sum = Outgoing::default();
-        for Lit { light, weight } in self.lights.iter().filter(|lit| lit.weight != DVec3::ZERO) {
-            let Response { irradiance, specular } = match &self.objects {
-                Some(objects) => shadowed_response(objects, light, at, &reflection.lobe),
+        let strengths = [FRAC_1_PI * reflection.diffuse.max_element(), reflection.specular.max_element()];
+        for Lit { light, weight, shadow } in self.lights.iter().filter(|lit| lit.weight != DVec3::ZERO) {
+            let Response { irradiance, specular } = match &self.casters {
+                Some(casters) => casters.response(light, shadow, at, &reflection.lobe, strengths),
                 None => light.respond(at, &reflection.lobe),
             };
             sum.irradiance += irradiance * weight;

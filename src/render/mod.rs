@@ -17,6 +17,7 @@ pub use emitters::{PlacedEmitter, intersect_emitter};
 pub use film::Film;
 pub use geometry::{Geometry, Seen, Thing};
 pub use lighting::{Lighting, Outgoing, Reflection, lobe_of};
+pub use shadow::Precision;
 pub use tone::{encode_srgb, expose, pbr_neutral};
 
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};

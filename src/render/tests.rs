@@ -57,7 +57,10 @@ fn every_pixel_of_a_lit_ball_and_floor_has_its_known_radiance() {
         let (x, y) = (i % 70, i / 70);
         let direction = scene.camera.ray_direction(x as f64 + 0.5, y as f64 + 0.5, 70.0, 50.0);
         let hit = geometry.nearest(scene.camera.eye, direction);
-        let expected = hit.map_or(DVec3::ZERO, |hit| FRAC_1_PI * 1000.0 * hit.n.z.max(0.0) * diffuse);
+        // The shadow is right below the ball.
+        let is_hidden = |hit: &Seen| hit.thing == Thing::Surface(0) && hit.p.truncate().length() < 0.5;
+        let lit = hit.filter(|hit| !is_hidden(hit));
+        let expected = lit.map_or(DVec3::ZERO, |hit| FRAC_1_PI * 1000.0 * hit.n.z.max(0.0) * diffuse);
         assert!((radiance - expected).length() < 1e-10, "pixel {x}, {y}: {radiance} is not {expected}");
         seen[hit.map_or(2, |hit| usize::from(hit.thing == Thing::Surface(1)))] += 1;
     }
@@ -147,4 +150,48 @@ fn a_pixel_with_an_edge_has_all_its_rays_and_an_even_one_a_few() {
     assert!(shares.iter().all(|share| (share - share.round()).abs() < 1e-9), "{shares:?}");
     assert!(shares.iter().any(|share| share.round() % 4.0 != 0.0), "no edge had all its rays");
     assert!(shares.iter().filter(|share| share.round() == 16.0).count() > 20, "the light is in view");
+}
+
+/// The furnace under a ball of light that stands behind its own, and its shadow's share of every pixel.
+fn shadow_of_a_ball() -> Vec<f64> {
+    let mut scene = furnace(0.0, DVec3::splat(0.5));
+    scene.camera = Camera { eye: DVec3::new(0.0, -4.0, 4.0), target: DVec3::new(0.0, -0.6, 0.0), fov_deg: 40.0 };
+    scene.lights[0].shape = LightShape::Sphere(Sphere { radius: 0.35 });
+    scene.lights[0].quantity = Quantity::new(QuantityKind::Luminance, 1000.0);
+    scene.lights[0].position = DVec3::new(0.0, 2.0, 2.5);
+    let [with, without] = [Shadows::default(), Shadows::None].map(|shadows| {
+        let settings = Settings { size: SIZE, choice: MethodChoice::default(), samples: 1, shadows };
+        render(&scene, &settings, &Progress::default()).unwrap()
+    });
+    let pixels = with.radiance().iter().zip(without.radiance());
+    pixels.map(|(with, without)| if without.x > 0.0 { with.x / without.x } else { 1.0 }).collect()
+}
+
+#[test]
+fn a_balls_shadow_has_a_dark_core_and_grows_lighter_outward_on_both_sides_alike() {
+    let allowed = 4.0 * Precision::PICTURE.error;
+    let shares = shadow_of_a_ball();
+    let width = SIZE[0] as usize;
+    assert!(shares.iter().all(|share| (0.0..=1.0).contains(share)), "shares");
+    assert!(shares.contains(&0.0) && shares.contains(&1.0), "there is a core, and there is full light");
+    let mut penumbra = 0;
+    // In front of the ball there is nothing but its shadow on the floor.
+    for (y, row) in shares.chunks(width).enumerate().skip(24) {
+        let (left, right) = row.split_at(width / 2);
+        for (x, (a, b)) in left.iter().rev().zip(right).enumerate() {
+            assert!((a - b).abs() < allowed, "row {y}, {x} from the middle: {a} and {b}");
+        }
+        for (x, pair) in right.windows(2).enumerate() {
+            assert!(pair[1] > pair[0] - allowed, "row {y}, {x} from the middle: {pair:?}");
+            penumbra += u32::from(pair[0] > 0.0 && pair[0] < 1.0);
+        }
+    }
+    assert!(penumbra > 30, "{penumbra} pixels are half in shadow");
+}
+
+#[test]
+fn a_soft_shadow_does_not_depend_on_the_number_of_threads() {
+    let one = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
+    let three = rayon::ThreadPoolBuilder::new().num_threads(3).build().unwrap();
+    assert!(one.install(|| shadow_of_a_ball()) == three.install(|| shadow_of_a_ball()), "pictures differ");
 }

@@ -10,6 +10,7 @@ mod patch_tests;
 mod primitive;
 mod ray;
 mod shape;
+mod support;
 mod triangle;
 
 pub use fractal::{MOST_FLAKE_DEPTH, MOST_TETRAHEDRON_DEPTH};

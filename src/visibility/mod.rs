@@ -15,6 +15,7 @@ pub mod polygon;
 mod structure;
 
 pub use hierarchy::{Hierarchy, Node};
+pub(crate) use objects::AT_END;
 pub use objects::Objects;
 pub use structure::{Structure, Structures, UnknownStructure};
 

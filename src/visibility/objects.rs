@@ -34,7 +34,7 @@ enum Finder {
 }
 
 /// A hit nearer to a segment's end than this share of its length is the end's own surface.
-pub(super) const AT_END: f64 = 1e-9;
+pub(crate) const AT_END: f64 = 1e-9;
 
 impl Objects {
     /// The parts of these surfaces.

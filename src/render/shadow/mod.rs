@@ -4,15 +4,45 @@
 //! of its diffuse and of its specular part. Of lines and polygons it is had exactly, by shading what is seen of them; of
 //! all others by rays.
 
+mod between;
 mod rays;
+mod reflected;
+mod sampling;
+mod source;
+mod texels;
 
+pub use rays::Precision;
+
+use std::sync::Arc;
+
+use between::Between;
 use glam::DVec3;
+use rays::{Gloss, Shares, visible_shares};
+use reflected::Reflected;
+use source::Source;
 
 use crate::light::{Emitter, LineEmitter, PolygonEmitter};
 use crate::shading::{Lobe, Method, Prepared, Response, ShadingPoint, respond};
+use crate::surface::Bounds;
 use crate::visibility::Objects;
 use crate::visibility::line::visible_segments;
 use crate::visibility::polygon::{Seen, visible_pieces};
+
+/// What casts shadows.
+#[derive(Clone, Debug)]
+pub(super) struct Casters {
+    objects: Arc<Objects>,
+    /// About all objects but planes.
+    extent: Bounds,
+    precision: Precision,
+}
+
+/// How a light's shadows are had, prepared once.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Shadow {
+    /// Of a light with an area, which rays may sample.
+    source: Option<Source>,
+}
 
 /// What is seen of a light.
 enum Visible {
@@ -23,26 +53,116 @@ enum Visible {
     AllBut(Vec<Emitter>),
     /// These shares of the diffuse and the specular response.
     Shares([f64; 2]),
+    /// What rays find.
+    ByRays,
 }
 
 impl Visible {
     const NOTHING: Self = Self::Shares([0.0, 0.0]);
 }
 
-/// The response to what is seen of a light, at unit strength.
-pub(super) fn shadowed_response(objects: &Objects, light: &Prepared, at: &ShadingPoint, lobe: &Lobe) -> Response {
-    match visible(objects, light, at, lobe) {
-        Visible::All => light.respond(at, lobe),
-        Visible::Shares([0.0, 0.0]) => Response::default(),
-        Visible::Shares(shares) => scaled(light.respond(at, lobe), shares),
-        Visible::Parts(parts) => of_what_is_seen(light, at, lobe, |exact| sum(&parts, exact, at, lobe)),
-        Visible::AllBut(parts) => of_what_is_seen(light, at, lobe, |exact| {
-            let (all, hidden) = (respond(light.emitter(), exact, at, lobe), sum(&parts, exact, at, lobe));
-            Response {
-                irradiance: (all.irradiance - hidden.irradiance).max(0.0),
-                specular: (all.specular - hidden.specular).max(0.0),
+impl Shadow {
+    /// Of a light.
+    pub(super) fn new(emitter: &Emitter) -> Self {
+        Self { source: Source::new(emitter) }
+    }
+}
+
+impl Casters {
+    /// These objects, and the precision of what comes off the screen as numbers.
+    pub(super) fn new(objects: &Arc<Objects>) -> Self {
+        let bounds = objects.parts().iter().filter_map(|part| part.bounds());
+        Self {
+            objects: Arc::clone(objects),
+            extent: bounds.fold(Bounds::EMPTY, Bounds::union),
+            precision: Precision::default(),
+        }
+    }
+
+    /// The same to another precision.
+    pub(super) fn with_precision(self, precision: Precision) -> Self {
+        Self { precision, ..self }
+    }
+
+    /// The response to what is seen of a light, at unit strength. `strengths` are what diffuse and specular response are
+    /// multiplied by.
+    pub(super) fn response(
+        &self,
+        light: &Prepared,
+        shadow: &Shadow,
+        at: &ShadingPoint,
+        lobe: &Lobe,
+        strengths: [f64; 2],
+    ) -> Response {
+        match self.visible(light.emitter(), at) {
+            Visible::All => light.respond(at, lobe),
+            Visible::Shares([0.0, 0.0]) => Response::default(),
+            Visible::Shares(shares) => scaled(light.respond(at, lobe), shares),
+            Visible::Parts(parts) => of_what_is_seen(light, at, lobe, |exact| sum(&parts, exact, at, lobe)),
+            Visible::AllBut(parts) => of_what_is_seen(light, at, lobe, |exact| {
+                let (all, hidden) = (respond(light.emitter(), exact, at, lobe), sum(&parts, exact, at, lobe));
+                Response {
+                    irradiance: (all.irradiance - hidden.irradiance).max(0.0),
+                    specular: (all.specular - hidden.specular).max(0.0),
+                }
+            }),
+            Visible::ByRays => self.by_rays(light, shadow, at, lobe, strengths),
+        }
+    }
+
+    /// The same, by rays.
+    fn by_rays(
+        &self,
+        light: &Prepared,
+        shadow: &Shadow,
+        at: &ShadingPoint,
+        lobe: &Lobe,
+        strengths: [f64; 2],
+    ) -> Response {
+        let whole = light.respond(at, lobe);
+        let Some(source) = shadow.source.as_ref().filter(|_| whole != Response::default()) else { return whole };
+        let shares = self.shares(source, at, lobe, specular_part(&whole, strengths));
+        shares.map_or(whole, |Shares { shares, .. }| scaled(whole, shares))
+    }
+
+    /// The shares of a light that are seen by rays; none where nothing is between.
+    fn shares(&self, source: &Source, at: &ShadingPoint, lobe: &Lobe, importance: f64) -> Option<Shares> {
+        let seen = source.seen(at);
+        let between = Between::new(&self.objects, &self.extent, &seen, at.p, at.n);
+        match between {
+            Between::Nothing => None,
+            Between::Screen => Some(Shares::NOTHING),
+            Between::These(_) | Between::Anything => {
+                let gloss = Gloss { reflected: Reflected::new(lobe, at), importance };
+                Some(visible_shares(&self.objects, &between, &seen, at, &gloss, self.precision))
             }
-        }),
+        }
+    }
+
+    /// What is seen of a light.
+    fn visible(&self, emitter: &Emitter, at: &ShadingPoint) -> Visible {
+        match emitter {
+            Emitter::Line(line) => {
+                let segments = visible_segments(&self.objects, at.p, at.n, [line.a, line.b]);
+                let Some(segments) = segments else { return Visible::All };
+                match segments.parts() {
+                    [] => Visible::NOTHING,
+                    parts => Visible::Parts(parts.iter().map(|&[from, to]| segment(line, from, to)).collect()),
+                }
+            }
+            Emitter::Polygon(polygon) => match visible_pieces(&self.objects, at.p, at.n, &polygon.vertices) {
+                Seen::All => Visible::All,
+                Seen::Nothing => Visible::NOTHING,
+                Seen::Pieces(pieces) => Visible::Parts(pieces_of(polygon, pieces)),
+                Seen::AllBut(pieces) => Visible::AllBut(pieces_of(polygon, pieces)),
+                Seen::Unknown => Visible::ByRays,
+            },
+            Emitter::Point(point) => shut(self.objects.hides(at.p, point.position - at.p)),
+            Emitter::Directional(light) => shut(self.objects.hides_direction(at.p, light.to_light)),
+            Emitter::Sphere(_) | Emitter::Disk(_) | Emitter::Textured(_) | Emitter::Cap(_) | Emitter::Sky(_) => {
+                Visible::ByRays
+            }
+        }
     }
 }
 
@@ -57,12 +177,16 @@ fn of_what_is_seen(light: &Prepared, at: &ShadingPoint, lobe: &Lobe, seen: impl 
     scaled(light.respond(at, lobe), [share(seen.irradiance, all.irradiance), share(seen.specular, all.specular)])
 }
 
+/// The response to lights together.
 fn sum(parts: &[Emitter], method: Method, at: &ShadingPoint, lobe: &Lobe) -> Response {
-    let responses = parts.iter().map(|part| respond(part, method, at, lobe));
-    responses.fold(Response::default(), |a, b| Response {
-        irradiance: a.irradiance + b.irradiance,
-        specular: a.specular + b.specular,
-    })
+    let mut sum = Response::default();
+    parts.iter().for_each(|part| sum += respond(part, method, at, lobe));
+    sum
+}
+
+/// The specular share of what a point sends on.
+fn specular_part(response: &Response, [diffuse, specular]: [f64; 2]) -> f64 {
+    share(specular * response.specular, diffuse * response.irradiance + specular * response.specular)
 }
 
 /// The share of the whole that is seen, at most 1.
@@ -72,29 +196,6 @@ fn share(seen: f64, whole: f64) -> f64 {
 
 fn scaled(response: Response, [diffuse, specular]: [f64; 2]) -> Response {
     Response { irradiance: diffuse * response.irradiance, specular: specular * response.specular }
-}
-
-fn visible(objects: &Objects, light: &Prepared, at: &ShadingPoint, lobe: &Lobe) -> Visible {
-    let by_rays = || rays::visible_shares(objects, light.emitter(), at, lobe).map_or(Visible::All, Visible::Shares);
-    match light.emitter() {
-        Emitter::Line(line) => {
-            let Some(segments) = visible_segments(objects, at.p, at.n, [line.a, line.b]) else { return Visible::All };
-            match segments.parts() {
-                [] => Visible::NOTHING,
-                parts => Visible::Parts(parts.iter().map(|&[from, to]| segment(line, from, to)).collect()),
-            }
-        }
-        Emitter::Polygon(polygon) => match visible_pieces(objects, at.p, at.n, &polygon.vertices) {
-            Seen::All => Visible::All,
-            Seen::Nothing => Visible::NOTHING,
-            Seen::Pieces(pieces) => Visible::Parts(pieces_of(polygon, pieces)),
-            Seen::AllBut(pieces) => Visible::AllBut(pieces_of(polygon, pieces)),
-            Seen::Unknown => by_rays(),
-        },
-        Emitter::Point(point) => shut(objects.hides(at.p, point.position - at.p)),
-        Emitter::Directional(light) => shut(objects.hides_direction(at.p, light.to_light)),
-        _ => by_rays(),
-    }
 }
 
 fn shut(hidden: bool) -> Visible {
@@ -113,3 +214,6 @@ fn segment(line: &LineEmitter, from: f64, to: f64) -> Emitter {
     let along = line.b - line.a;
     Emitter::Line(LineEmitter { a: line.a + from * along, b: line.a + to * along, ..*line })
 }
+
+#[cfg(test)]
+mod tests;
