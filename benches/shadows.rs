@@ -6,14 +6,19 @@
 //! share by rays is itself unsure by about K/rays of a line, K/√rays of an area.
 
 use std::env;
+use std::f64::consts::TAU;
 use std::sync::Arc;
 
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
-use softbox::light::{Emitter, Light, Line, Shape as LightShape};
+use softbox::light::pattern::{Channel, Image, Pattern};
+use softbox::light::{Cap, Disk, Emitter, Light, Line, Shape as LightShape, Sky, Sphere, Textured};
 use softbox::render::{Lighting, MethodChoice, Reflection};
 use softbox::scene::Scene;
-use softbox::shading::{Lobe, Method, Response, ShadingPoint, point::point_response};
+use softbox::shading::{
+    Lobe, Method, Response, ShadingPoint,
+    point::{direction_response, point_response},
+};
 use softbox::surface::{Material, Shape, Surface};
 use softbox::visibility::{Objects, Structure};
 
@@ -36,7 +41,22 @@ type Sample = fn(&Emitter, &ShadingPoint, &Lobe, u32, u32) -> (DVec3, Response);
 
 /// The lights that are measured. A new one is a line here and the function that spreads points over it.
 fn lights() -> Vec<Row> {
-    vec![Row { name: "line", shape: LightShape::Line(Line::isotropic(4.0)), sample: on_line }]
+    let spot = |u: f64, v: f64| if (u - 0.3).hypot(v - 0.6) < 0.35 { 1.0 + 2.0 * u } else { 0.0 };
+    let channel = Channel::of_shares(32, 24, spot).expect("a pattern");
+    let pattern = Pattern::of_image("spot.png", Image::Grey(Arc::new(channel)));
+    let size = DVec2::new(2.0, 1.5);
+    vec![
+        Row { name: "line", shape: LightShape::Line(Line::isotropic(4.0)), sample: on_line },
+        Row { name: "disk", shape: LightShape::Disk(Disk { radius: 0.8, two_sided: false }), sample: on_disk },
+        Row { name: "sphere", shape: LightShape::Sphere(Sphere { radius: 0.5 }), sample: on_sphere },
+        Row {
+            name: "textured",
+            shape: LightShape::Textured(Textured { size, pattern, two_sided: false }),
+            sample: on_texels,
+        },
+        Row { name: "cap", shape: LightShape::Cap(Cap { half_angle_deg: 15.0 }), sample: in_cap },
+        Row { name: "sky", shape: LightShape::Sky(Sky::OVERCAST), sample: in_sky },
+    ]
 }
 
 /// What casts shadows. A new shape is a line here.
@@ -141,6 +161,67 @@ fn on_line(emitter: &Emitter, at: &ShadingPoint, lobe: &Lobe, i: u32, n: u32) ->
     let Emitter::Line(line) = emitter else { panic!("a line is sampled") };
     let position = line.a.lerp(line.b, (f64::from(i) + 0.5) / f64::from(n));
     (position, point_response(position - at.p, 1.0, at, lobe))
+}
+
+/// Points of a disk, each of the same area.
+fn on_disk(emitter: &Emitter, at: &ShadingPoint, lobe: &Lobe, i: u32, n: u32) -> (DVec3, Response) {
+    let Emitter::Disk(disk) = emitter else { panic!("a disk is sampled") };
+    let [share, turn] = even(i, n);
+    let (x, y) = disk.normal.any_orthonormal_pair();
+    let (sin, cos) = (TAU * turn).sin_cos();
+    facing(disk.center + disk.radius * share.sqrt() * (cos * x + sin * y), disk.normal, 1.0, at, lobe)
+}
+
+/// Points of a sphere, each of the same area.
+fn on_sphere(emitter: &Emitter, at: &ShadingPoint, lobe: &Lobe, i: u32, n: u32) -> (DVec3, Response) {
+    let Emitter::Sphere(sphere) = emitter else { panic!("a sphere is sampled") };
+    let normal = about(DVec3::Z, even(i, n), 2.0);
+    facing(sphere.center + sphere.radius * normal, normal, 1.0, at, lobe)
+}
+
+/// Points of a rectangle, each of the same area.
+fn on_texels(emitter: &Emitter, at: &ShadingPoint, lobe: &Lobe, i: u32, n: u32) -> (DVec3, Response) {
+    let Emitter::Textured(light) = emitter else { panic!("a textured light is sampled") };
+    let [u, v] = even(i, n);
+    facing(light.point(u, v), light.normal, light.pattern.value(u, v), at, lobe)
+}
+
+/// Directions of a cap, each of the same solid angle.
+fn in_cap(emitter: &Emitter, at: &ShadingPoint, lobe: &Lobe, i: u32, n: u32) -> (DVec3, Response) {
+    let Emitter::Cap(cap) = emitter else { panic!("a cap is sampled") };
+    endless(about(cap.to_center, even(i, n), 1.0 - cap.half_angle.cos()), 1.0, at, lobe)
+}
+
+/// Directions of a hemisphere, each of the same solid angle.
+fn in_sky(emitter: &Emitter, at: &ShadingPoint, lobe: &Lobe, i: u32, n: u32) -> (DVec3, Response) {
+    let Emitter::Sky(sky) = emitter else { panic!("a sky is sampled") };
+    let w = about(sky.zenith, even(i, n), 1.0);
+    endless(w, sky.radiance(w), at, lobe)
+}
+
+/// What a point of a luminous surface does, all points being of the same area.
+fn facing(position: DVec3, normal: DVec3, luminance: f64, at: &ShadingPoint, lobe: &Lobe) -> (DVec3, Response) {
+    let to_light = position - at.p;
+    let cosine = -normal.dot(to_light.normalize()).min(0.0);
+    (position, point_response(to_light, luminance * cosine, at, lobe))
+}
+
+/// What comes from a direction, all directions being of the same solid angle; its light is far beyond all occluders.
+fn endless(w: DVec3, luminance: f64, at: &ShadingPoint, lobe: &Lobe) -> (DVec3, Response) {
+    (at.p + 1e9 * w, direction_response(w, luminance, at.n, at.mirror(), lobe))
+}
+
+/// The direction about an axis at a share of the height of its cap and of the way round.
+fn about(axis: DVec3, [share, turn]: [f64; 2], height: f64) -> DVec3 {
+    let (x, y) = axis.any_orthonormal_pair();
+    let cos = 1.0 - height * share;
+    let (sin_turn, cos_turn) = (TAU * turn).sin_cos();
+    cos * axis + (1.0 - cos * cos).max(0.0).sqrt() * (cos_turn * x + sin_turn * y)
+}
+
+/// The i-th of n points spread evenly over the unit square: a lattice of the golden ratio.
+fn even(i: u32, n: u32) -> [f64; 2] {
+    [(f64::from(i) + 0.5) / f64::from(n), (0.5 + 0.618_033_988_749_895 * f64::from(i)).fract()]
 }
 
 /// The i-th point of the R₃ sequence (M. Roberts, 2018) with an offset, in the unit cube.

@@ -15,8 +15,9 @@ pub use rays::Precision;
 
 use std::sync::Arc;
 
-use between::Between;
 use glam::DVec3;
+
+use between::Between;
 use rays::{Gloss, Shares, visible_shares};
 use reflected::Reflected;
 use source::Source;
