@@ -361,3 +361,24 @@ fn inside_a_spherical_light_what_is_in_it_casts_shadows() {
     let outside = shares_of(&casters(&[disk(2.5)]), &light, &at, &Lobe::new(1.0));
     assert_eq!(outside.map(|found| found.shares), Some([1.0, 1.0]), "outside of the light nothing is in its way");
 }
+
+#[test]
+fn what_finds_the_objects_changes_nothing_to_the_last_bit() {
+    let mut random = Random(5);
+    for (name, shape) in shapes() {
+        let light = emitter(&shape, DVec3::new(0.2, 0.1, 2.5), DVec3::new(5.0, 10.0, 0.0));
+        let surfaces: Vec<_> = (0..40)
+            .map(|i| surface(primitives()[1 + i % 6].clone(), DVec3::Z + random.vector(2.0), random.vector(180.0)))
+            .collect();
+        for _ in 0..4 {
+            let at = point_reflecting(random.vector(1.0) * DVec3::new(1.0, 1.0, 0.0), DVec3::Z, DVec3::Z);
+            let [every, hierarchy] = [Structure::Every, Structure::Hierarchy].map(|structure| {
+                let casters = Casters::new(&Arc::new(Objects::new(&surfaces, structure)));
+                let casters = casters.with_precision(Precision::PICTURE);
+                let found = shares_of(&casters, &light, &at, &Lobe::new(9.0));
+                found.map_or([1.0, 1.0], |found| found.shares)
+            });
+            assert_eq!(every, hierarchy, "{name} at {at:?}");
+        }
+    }
+}
