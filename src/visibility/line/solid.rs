@@ -13,6 +13,8 @@ use crate::visibility::interval::Segments;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Solid {
     half: DVec3,
+    /// The first axis that has a slab; all after it have one.
+    first: usize,
     round: Option<Round>,
     size: f64,
     /// The square of the radius of a ball about it.
@@ -37,7 +39,7 @@ impl Solid {
     /// A box.
     pub(super) fn of_box(size: DVec3) -> Self {
         let half = 0.5 * size;
-        Self { half, round: None, size: half.max_element(), reach_squared: half.length_squared() }
+        Self { half, first: 0, round: None, size: half.max_element(), reach_squared: half.length_squared() }
     }
 
     /// The part of a round body of that height.
@@ -45,7 +47,8 @@ impl Solid {
         let half = DVec3::new(f64::INFINITY, f64::INFINITY, 0.5 * height);
         let rise = if half.z.is_finite() { half.z } else { 0.0 };
         let reach_squared = round.radius * round.radius + rise * rise;
-        Self { half, round: Some(round), size: round.radius.max(rise), reach_squared }
+        let first = if half.z.is_finite() { 2 } else { 3 };
+        Self { half, first, round: Some(round), size: round.radius.max(rise), reach_squared }
     }
 
     /// Takes away what it hides. A point on its surface is hidden what lies below the tangent planes, and outside.
@@ -56,7 +59,7 @@ impl Solid {
         let mut below_plane = |outward: DVec3| {
             below = below.and_then(|below| below.where_positive(-outward.dot(fan.a), -outward.dot(fan.b)));
         };
-        for (axis, unit) in DVec3::AXES.into_iter().enumerate() {
+        for (axis, unit) in DVec3::AXES.into_iter().enumerate().skip(self.first) {
             let beyond = fan.p[axis].abs() - self.half[axis];
             if beyond.abs() <= ON_SURFACE * self.size {
                 fan.p[axis] = self.half[axis].copysign(fan.p[axis]);
@@ -93,7 +96,7 @@ impl Solid {
     fn chord(&self, fan: &Fan) -> Option<Range> {
         let [a, b] = [fan.p + fan.a, fan.p + fan.b];
         let mut within = Range::ALL;
-        for axis in 0..3 {
+        for axis in self.first..3 {
             let half = self.half[axis];
             // What a point on a face sees of its own half-space is told by the directions alone.
             for side in [1.0, -1.0].into_iter().filter(|side| side * fan.p[axis] != half) {
