@@ -69,7 +69,16 @@ fn occluders() -> Vec<(&'static str, Shape)> {
         ("sphere", Shape::Sphere { radius: 0.6 }),
         ("cylinder", Shape::Cylinder { radius: 0.5, height: 1.1 }),
         ("cone", Shape::Cone { radius: 0.6, height: 1.2 }),
+        ("patch", Shape::Patch { control_points: std::array::from_fn(bent) }),
+        ("sphereflake", Shape::Sphereflake { depth: 2 }),
+        ("tetrahedron", Shape::Tetrahedron { depth: 2 }),
     ]
+}
+
+/// A control point of a patch that is bent both ways.
+fn bent(i: usize) -> DVec3 {
+    let at = spread(u32::try_from(i).unwrap_or_default(), 0.1);
+    DVec3::new((i % 4) as f64 * 0.4 - 0.6, (i / 4) as f64 * 0.4 - 0.6, 0.8 * (at.z - 0.5))
 }
 
 fn main() {

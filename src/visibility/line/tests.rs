@@ -204,10 +204,11 @@ proptest! {
     fn the_structure_changes_nothing(
         surfaces in surfaces(), p in vector(2.5), a in vector(3.0), b in vector(3.0), n in vector(1.0),
     ) {
-        let [every, hierarchy] = [Structure::Every, Structure::Hierarchy].map(|structure| {
-            visible_segments(&Objects::new(&surfaces, structure), p, n, [a, b])
-        });
-        prop_assert_eq!(every, hierarchy);
+        let seen = |structure| visible_segments(&Objects::new(&surfaces, structure), p, n, [a, b]);
+        let every = seen(Structure::Every);
+        for structure in [Structure::Hierarchy, Structure::Grid(8), Structure::LightBuffer(16)] {
+            prop_assert_eq!(&every, &seen(structure), "by {}", structure);
+        }
     }
 
     #[test]
@@ -226,6 +227,45 @@ proptest! {
             let ends: Vec<f64> = seen.iter().flat_map(|seen| seen.parts()).flatten().copied().collect();
             prop_assert!(ends.is_sorted(), "{ends:?}");
             prop_assert!(ends.iter().all(|t| (0.0..=1.0).contains(t)), "{ends:?}");
+        }
+    }
+}
+
+/// A patch that is bent at random.
+fn patches() -> impl Strategy<Value = Shape> {
+    proptest::collection::vec(vector(0.5), 16).prop_map(|bends| {
+        let point = |i: usize| {
+            let (row, column) = ((i / 4) as f64, (i % 4) as f64);
+            DVec3::new(column / 1.5 - 1.0, row / 1.5 - 1.0, 0.0) + bends[i]
+        };
+        Shape::Patch { control_points: std::array::from_fn(point) }
+    })
+}
+
+proptest! {
+    #[test]
+    fn what_is_seen_past_patches_is_what_rays_see(
+        shapes in proptest::collection::vec(patches(), 1..3), at_patch in vector(0.5), turn in vector(180.0),
+        p in vector(2.5), a in vector(3.0), b in vector(3.0), to_p in vector(1.0), to_a in vector(1.0),
+        on in any::<[bool; 2]>(),
+    ) {
+        let surfaces: Vec<Surface> =
+            shapes.into_iter().map(|shape| surface(shape, at_patch, turn, DVec3::ONE)).collect();
+        let objects = Objects::new(&surfaces, Structure::Every);
+        let p = place(&objects, p, to_p, on[0]);
+        let a = place(&objects, a, to_a, on[1]);
+        agrees(&objects, p, [a, b], 3e-6)?;
+    }
+
+    #[test]
+    fn meshes_hide_what_rays_do_not_pass(
+        depth in 0..3_u32, turn in vector(180.0), scale in scale(), p in vector(2.0), a in vector(2.0), b in vector(2.0),
+        to_p in vector(1.0), on in any::<bool>(),
+    ) {
+        for shape in [Shape::Tetrahedron { depth }, Shape::Sphereflake { depth: depth.min(1) }] {
+            let objects = Objects::new(&[surface(shape, DVec3::ZERO, turn, scale)], Structure::Every);
+            let p = place(&objects, p, to_p, on);
+            agrees(&objects, p, [a, b], 1e-6)?;
         }
     }
 }
