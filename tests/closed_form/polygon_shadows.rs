@@ -1,6 +1,9 @@
 //! What is seen of polygonal lights, against hand-made values and against rays.
 
 use glam::{DVec2, DVec3};
+use softbox::shading::point::point_response;
+use softbox::shading::polygon::{polygon_irradiance, polygon_phong};
+use softbox::shading::{Lobe, ShadingPoint};
 use softbox::surface::{Shape, Surface};
 use softbox::visibility::polygon::{Seen, visible_pieces};
 use softbox::visibility::{Objects, Structure};
@@ -168,7 +171,8 @@ fn random_surface(random: &mut Random, kinds: &[usize]) -> Surface {
         3 => Shape::Disk { radius: random.within(0.2, 1.0) },
         4 => Shape::Sphere { radius: random.within(0.2, 1.0) },
         5 => Shape::Cylinder { radius: random.within(0.2, 1.0), height: random.within(0.2, 2.0) },
-        _ => Shape::Cone { radius: random.within(0.2, 1.0), height: random.within(0.2, 2.0) },
+        6 => Shape::Cone { radius: random.within(0.2, 1.0), height: random.within(0.2, 2.0) },
+        _ => Shape::Tetrahedron { depth: 2 },
     };
     let scale = DVec3::from_array([(); 3].map(|()| random.magnitude(0.5, 2.0) * random.within(-1.0, 1.0).signum()));
     surface(shape, random.point(1.0), 180.0 * random.point(1.0), scale)
@@ -227,10 +231,150 @@ fn flat_and_square_things_hide_the_very_points_that_rays_find_hidden() {
 }
 
 #[test]
+fn triangles_hide_the_very_points_that_rays_find_hidden() {
+    let (wrong, tried) = mismatches(46, &[7], 2000, 20);
+    assert!(wrong.is_empty() && tried > 5000, "{} of {tried}, such as {:?}", wrong.len(), wrong.first());
+}
+
+#[test]
 fn round_things_hide_what_rays_find_hidden_but_for_their_outline() {
     for kind in ROUND {
         let (wrong, tried) = mismatches(42, &[kind], 20_000, 20);
         let share = wrong.len() as f64 / tried as f64;
         assert!(share < 2e-4 && tried > 50_000, "{share:e} of {tried} with kind {kind}, such as {:?}", wrong.first());
+    }
+}
+
+/// E and the Phong part of pieces, together.
+fn shaded(pieces: &[Vec<DVec3>], at: &ShadingPoint, m: f64) -> [f64; 2] {
+    let one =
+        |piece: &Vec<DVec3>| [polygon_irradiance(piece, at.p, at.n), polygon_phong(piece, at.p, at.n, at.mirror(), m)];
+    pieces.iter().map(one).fold([0.0; 2], |sum, one| [sum[0] + one[0], sum[1] + one[1]])
+}
+
+/// What p sees of a light past objects, shaded.
+fn shaded_seen(objects: &Objects, light: &[DVec3], at: &ShadingPoint, m: f64) -> [f64; 2] {
+    let whole = shaded(&[light.to_vec()], at, m);
+    match visible_pieces(objects, at.p, at.n, light) {
+        Seen::All => whole,
+        Seen::Nothing => [0.0; 2],
+        Seen::Pieces(pieces) => shaded(&pieces, at, m),
+        Seen::AllBut(pieces) => {
+            let hidden = shaded(&pieces, at, m);
+            [whole[0] - hidden[0], whole[1] - hidden[1]]
+        }
+        Seen::Unknown => panic!("nothing is known"),
+    }
+}
+
+fn random_at(random: &mut Random, p: DVec3, light: &[DVec3]) -> ShadingPoint {
+    let n = ((light[0] - p).normalize() + 0.9 * random.direction()).normalize();
+    let v = random.direction();
+    ShadingPoint { p, n, v: if v.dot(n) < 0.0 { v - 2.0 * v.dot(n) * n } else { v } }
+}
+
+#[test]
+fn what_one_half_plane_hides_and_what_the_other_hides_is_all() {
+    let mut random = Random::new(43);
+    for i in 0..3000 {
+        let (_, light) = random_light(&mut random);
+        let p = random.point(2.5);
+        let at = random_at(&mut random, p, &light);
+        // Two halves of a wall, which is seen from p edge to edge.
+        let rotation = 180.0 * random.point(1.0);
+        let center = at.p.midpoint(light[0].lerp(light[1], random.within(-0.5, 1.5)));
+        let half = |side: f64| {
+            let wall = surface(Shape::Square { size: DVec2::splat(1e4) }, center, rotation, DVec3::ONE);
+            let x = wall.world_from_surface().matrix3.x_axis;
+            Surface { position: center + 5e3 * side * x, ..wall }
+        };
+        let [left, right, both] =
+            [vec![half(-1.0)], vec![half(1.0)], vec![half(-1.0), half(1.0)]].map(|surfaces| objects(&surfaces));
+        for m in [1.0, 8.0, 33.0, 20.5] {
+            let whole = shaded(&[light.clone()], &at, m);
+            let [left, right, both] = [&left, &right, &both].map(|objects| shaded_seen(objects, &light, &at, m));
+            for part in [0, 1] {
+                let off = (left[part] + right[part] - whole[part] - both[part]).abs();
+                assert!(off <= 1e-11, "{off:e} in part {part} of case {i}, m = {m}, of {light:?} at {at:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn what_is_seen_is_shaded_as_the_points_are_that_rays_see() {
+    const CELLS: u32 = 200;
+    let mut random = Random::new(44);
+    let (mut partly, mut worst) = (0, 0.0_f64);
+    for i in 0..100 {
+        let surfaces: Vec<_> =
+            (0..1 + random.below(3)).map(|_| random_surface(&mut random, &[0, 1, 2, 3, 4, 5, 6])).collect();
+        let objects = objects(&surfaces);
+        let (axes, light) = random_light(&mut random);
+        let center = light.iter().sum::<DVec3>() / light.len() as f64;
+        let p = random_point(&mut random, &objects);
+        let normal = axes[0].cross(axes[1]);
+        // A grid has no more to say of a light next to p.
+        if normal.dot(center - p).abs() < 0.5 {
+            continue;
+        }
+        let at = random_at(&mut random, p, &light);
+        let (m, lobe) = (5.0, Lobe::new(5.0));
+        let (mut dense, mut whole) = ([0.0; 2], [0.0; 2]);
+        let cell = 2.0 / f64::from(CELLS);
+        for (x, y) in (0..CELLS * CELLS).map(|k| (f64::from(k % CELLS) + 0.5, f64::from(k / CELLS) + 0.5)) {
+            let q = center + (x * cell - 1.0) * axes[0] + (y * cell - 1.0) * axes[1];
+            if !is_in(&light, q, axes) {
+                continue;
+            }
+            let facing = normal.dot((q - p).normalize()).abs();
+            let one = point_response(q - p, cell * cell * facing, &at, &lobe);
+            let seen = if one.irradiance > 0.0 && objects.hides(p, q - p) { 0.0 } else { 1.0 };
+            whole = [whole[0] + one.irradiance, whole[1] + one.specular];
+            dense = [dense[0] + seen * one.irradiance, dense[1] + seen * one.specular];
+        }
+        let exact = shaded_seen(&objects, &light, &at, m);
+        for part in [0, 1].into_iter().filter(|part| whole[*part] > 1e-6) {
+            let off = (exact[part] - dense[part]).abs() / whole[part];
+            worst = worst.max(off);
+            assert!(off < 1e-2, "{off:e} of part {part} in scene {i}: {light:?} at {at:?} past {surfaces:?}");
+        }
+        partly += usize::from(dense[0] > 0.0 && dense[0] < 0.999 * whole[0]);
+    }
+    assert!(partly > 15, "{partly} in part, worst {worst:e}");
+}
+
+#[test]
+fn many_small_things_are_subtracted_one_by_one_until_nothing_is_left() {
+    let light = square_light(2.0);
+    let tiles = |count: u32, width: f64| -> Vec<Surface> {
+        let pitch = 1.0 / f64::from(count);
+        let middle = move |i: u32| (f64::from(i) + 0.5) * pitch - 0.5;
+        (0..count * count)
+            .map(|k| at(square(width * pitch), DVec3::new(middle(k % count), middle(k / count), 1.0)))
+            .collect()
+    };
+    check(&tiles(16, 1.0), DVec3::ZERO, &light, 0.0);
+    check(&tiles(3, 0.5), DVec3::ZERO, &light, 0.75);
+    let crowd = visible_pieces(&objects(&tiles(32, 0.5)), DVec3::ZERO, DVec3::Z, &light);
+    assert_eq!(crowd, Seen::Unknown, "better left to rays");
+}
+
+#[test]
+fn nothing_of_the_light_changes_where_nothing_touches_it() {
+    let mut random = Random::new(45);
+    let kinds = [EXACT.as_slice(), ROUND.as_slice()].concat();
+    for _ in 0..5000 {
+        let (_, light) = random_light(&mut random);
+        let p = random.point(2.5);
+        let beside: Vec<_> = (0..3).map(|_| random_surface(&mut random, &kinds)).collect();
+        let all = objects(&beside);
+        let counted: Vec<_> = beside
+            .iter()
+            .filter(|s| visible_pieces(&objects(&[(*s).clone()]), p, -p, &light) != Seen::All)
+            .cloned()
+            .collect();
+        let [with, without] = [&all, &objects(&counted)].map(|objects| visible_pieces(objects, p, -p, &light));
+        assert_eq!(with, without, "{light:?} from {p} past {beside:?}");
     }
 }
