@@ -33,6 +33,9 @@ enum Finder {
     Hierarchy(Hierarchy),
 }
 
+/// So few objects are tested faster than a hierarchy of them is walked.
+const FEW: usize = 4;
+
 /// A hit nearer to a segment's end than this share of its length is the end's own surface.
 pub(crate) const AT_END: f64 = 1e-9;
 
@@ -48,6 +51,7 @@ impl Objects {
         let finder = |structure| {
             Arc::new(match structure {
                 Structure::Every => Finder::Every,
+                Structure::Hierarchy if parts.len() <= FEW => Finder::Every,
                 Structure::Grid(voxels) => Finder::Grid(Grid::new(&parts, voxels)),
                 Structure::LightBuffer(_) | Structure::Hierarchy => Finder::Hierarchy(Hierarchy::new(&parts)),
             })
