@@ -29,7 +29,7 @@ fn covered(p: vec3f, to_a: vec3f, along: vec3f, own: u32, t: vec2f) -> Covered {
     }
     let wedge = wedge_of(to_a + t.x * along, to_a + t.y * along);
     var at = 0u;
-    while at < occluders.primitive_nodes {
+    while at < occluders.primitive_nodes && !is_all(covers, t) {
         var item = 0u;
         while at < occluders.primitive_nodes && item == 0u {
             let is_met = touches(nodes[at], p, wedge);
@@ -42,7 +42,7 @@ fn covered(p: vec3f, to_a: vec3f, along: vec3f, own: u32, t: vec2f) -> Covered {
         }
     }
     at = occluders.primitive_nodes;
-    while at < occluders.nodes {
+    while at < occluders.nodes && !is_all(covers, t) {
         var item = 0u;
         while at < occluders.nodes && item == 0u {
             let is_met = touches(nodes[at], p, wedge);
@@ -54,6 +54,11 @@ fn covered(p: vec3f, to_a: vec3f, along: vec3f, own: u32, t: vec2f) -> Covered {
         }
     }
     return covers;
+}
+
+// Whether all between t.x and t.y is hidden.
+fn is_all(covers: Covered, t: vec2f) -> bool {
+    return any(covers.low <= vec4f(t.x + GAP) & covers.high >= vec4f(t.y - GAP));
 }
 
 // Another interval, of which what is before `first` does not matter. With four others, the farthest is forgotten.
