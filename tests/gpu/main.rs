@@ -13,6 +13,7 @@ mod twins_of_disks;
 mod twins_of_lines;
 mod twins_of_one_shot;
 mod twins_of_polygons;
+mod twins_of_shadows;
 mod twins_of_skies;
 mod twins_of_spheres;
 mod verify;
