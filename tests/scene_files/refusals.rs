@@ -227,7 +227,7 @@ fn values_have_the_right_type() {
     check(
         "{ plane = {} }",
         "{}",
-        "window.toml:21:9: surface[0].shape: is empty; write one of `plane`, `sphere`, `box`, `square`, `disk`, `cylinder`, `cone`",
+        "window.toml:21:9: surface[0].shape: is empty; write one of `plane`, `sphere`, `box`, `square`, `disk`, `cylinder`, `cone`, `sphereflake`, `tetrahedron`, `patch`, `mesh`",
     );
     check(
         "{ plane = {} }",
@@ -266,7 +266,7 @@ fn unknown_names_are_refused_and_the_known_ones_told() {
     check(
         "{ plane = {} }",
         "{ mesh = { file = \"../../etc/passwd\" } }",
-        "window.toml:21:11: surface[0].shape.mesh: is not known here; known are `plane`, `sphere`, `box`, `square`, `disk`, `cylinder`, `cone`, `sphereflake`, `tetrahedron`, `patch`, `mesh`",
+        "window.toml:21:27: surface[0].shape.mesh.file: `../../etc/passwd` leaves the scene's folder; write a name such as \"meshes/chair.obj\"",
     );
     check(
         SHAPE,
