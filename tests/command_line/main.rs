@@ -7,6 +7,8 @@ use std::process::{Command, Output, Stdio};
 
 use tempfile::TempDir;
 
+mod shadows;
+
 /// A light of 2 m² and 1000 cd/m², 2 m above the ground.
 const WINDOW: &str = "tests/data/window.toml";
 
