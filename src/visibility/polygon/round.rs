@@ -3,6 +3,9 @@
 //! A circle of radius r becomes a polygon of the same area: its sides are at c·r from the centre, c² = x/tan x for sides
 //! of the angle 2x, up to r·x²/6 inside the circle with corners up to r·x²/3 outside. Along each side that cancels, so
 //! that only where the light's outline ends a side some of it is left, of the third order in x.
+//!
+//! **Accuracy:** 1e-4 of random points of lights, seen past one to four random solids, lie between the two outlines
+//! (`closed_form::polygon_shadows`).
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -19,7 +22,7 @@ const SIDES: f64 = 48.0;
 const MOST_SIDES: f64 = 256.0;
 
 /// How many sides an outline is given that appears `magnification` ≥ 1 times as large as the light: its corners are within
-/// 0.0015 of the light's own radius.
+/// 0.0015 of the light's own radius, up to 28 times its size.
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "from 48 to 256")]
 pub(super) fn sides(magnification: f64) -> usize {
     (SIDES * magnification.sqrt()).clamp(SIDES, MOST_SIDES) as usize
@@ -76,10 +79,11 @@ pub(super) fn sphere(radius: f64, view: &View, regions: &mut Regions) {
 /// The light's plane inside a sphere; none where it passes by.
 fn section(radius: f64, view: &View, count: usize) -> Option<Vec<HalfSpace>> {
     let (normal, height) = view.plane();
-    let reach = ((radius - height) * (radius + height)).sqrt();
-    if !(reach > 0.0) {
+    let excess = (radius - height) * (radius + height);
+    if excess <= 0.0 {
         return None;
     }
+    let reach = excess.sqrt();
     let (x, y) = normal.any_orthonormal_pair();
     let distance = reach * apothem(PI / count as f64);
     let from_center = view.p - height * normal;
@@ -127,7 +131,7 @@ fn about_axis(radius: f64, p: DVec3, count: usize, face: impl Fn(DVec3, f64) -> 
     let side = |angle: f64, c: f64| face(angle.cos() * x + angle.sin() * y, c);
     let distance = across.length();
     let excess = (distance - radius.abs()) * (distance + radius.abs());
-    if !(excess > 0.0) {
+    if excess <= 0.0 {
         let step = TAU / count as f64;
         let c = apothem(0.5 * step);
         // All sides face p above a cone, none does inside.

@@ -63,7 +63,7 @@ impl Light {
         }
         let (a, b) = (center.length(), self.center.length());
         let (sine_a, sine_b) = (radius / a, self.radius / b);
-        if !(sine_a < 1.0 && sine_b < 1.0) {
+        if sine_a >= 1.0 || sine_b >= 1.0 {
             return true;
         }
         let (cosine_a, cosine_b) = ((1.0 - sine_a * sine_a).sqrt(), (1.0 - sine_b * sine_b).sqrt());
