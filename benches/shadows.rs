@@ -12,14 +12,16 @@ use std::sync::Arc;
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 use softbox::light::pattern::{Channel, Image, Pattern};
-use softbox::light::{Cap, Disk, Emitter, Light, Line, Shape as LightShape, Sky, Sphere, Textured};
+use softbox::light::{
+    Cap, Disk, Emitter, Light, Line, Polygon, PolygonEmitter, Shape as LightShape, Sky, Sphere, Textured,
+};
 use softbox::render::{Lighting, MethodChoice, Reflection};
 use softbox::scene::Scene;
 use softbox::shading::{
     Lobe, Method, Response, ShadingPoint,
     point::{direction_response, point_response},
 };
-use softbox::surface::{Material, Shape, Surface};
+use softbox::surface::{Bounds, Material, Shape, Surface};
 use softbox::visibility::{Objects, Structure};
 
 const EXPONENT: f64 = 32.0;
@@ -41,12 +43,19 @@ type Sample = fn(&Emitter, &ShadingPoint, &Lobe, u32, u32) -> (DVec3, Response);
 
 /// The lights that are measured. A new one is a line here and the function that spreads points over it.
 fn lights() -> Vec<Row> {
+    let polygon = |corners: &[[f64; 2]]| {
+        LightShape::Polygon(Polygon { vertices: corners.iter().copied().map(DVec2::from).collect(), two_sided: false })
+    };
+    let rectangle = polygon(&[[-1.0, -0.5], [1.0, -0.5], [1.0, 0.5], [-1.0, 0.5]]);
+    let arrow = polygon(&[[-1.0, -0.8], [0.2, 0.0], [-1.0, 0.8], [1.0, 0.0]]);
     let spot = |u: f64, v: f64| if (u - 0.3).hypot(v - 0.6) < 0.35 { 1.0 + 2.0 * u } else { 0.0 };
     let channel = Channel::of_shares(32, 24, spot).expect("a pattern");
     let pattern = Pattern::of_image("spot.png", Image::Grey(Arc::new(channel)));
     let size = DVec2::new(2.0, 1.5);
     vec![
         Row { name: "line", shape: LightShape::Line(Line::isotropic(4.0)), sample: on_line },
+        Row { name: "rectangle", shape: rectangle, sample: on_polygon },
+        Row { name: "arrow", shape: arrow, sample: on_polygon },
         Row { name: "disk", shape: LightShape::Disk(Disk { radius: 0.8, two_sided: false }), sample: on_disk },
         Row { name: "sphere", shape: LightShape::Sphere(Sphere { radius: 0.5 }), sample: on_sphere },
         Row {
@@ -231,6 +240,26 @@ fn about(axis: DVec3, [share, turn]: [f64; 2], height: f64) -> DVec3 {
 /// The i-th of n points spread evenly over the unit square: a lattice of the golden ratio.
 fn even(i: u32, n: u32) -> [f64; 2] {
     [(f64::from(i) + 0.5) / f64::from(n), (0.5 + 0.618_033_988_749_895 * f64::from(i)).fract()]
+}
+
+/// Points of the box about a level polygon; those beside it do nothing.
+fn on_polygon(emitter: &Emitter, at: &ShadingPoint, lobe: &Lobe, i: u32, n: u32) -> (DVec3, Response) {
+    let Emitter::Polygon(polygon) = emitter else { panic!("a polygon is sampled") };
+    let Bounds { min, max } = Bounds::about(&polygon.vertices);
+    let [x, y] = even(i, n);
+    let position = min + DVec3::new(x, y, 0.0) * (max - min);
+    let luminance = if is_over(polygon, position) { 1.0 } else { 0.0 };
+    facing(position, polygon.normal, luminance, at, lobe)
+}
+
+/// Whether a point is over a level polygon, by the parity of the edges on one side of it.
+fn is_over(polygon: &PolygonEmitter, q: DVec3) -> bool {
+    let next = polygon.vertices.iter().cycle().skip(1);
+    let crossed = polygon.vertices.iter().zip(next).filter(|(a, b)| {
+        let (a, b) = ((**a - q).truncate(), (**b - q).truncate());
+        (a.y > 0.0) != (b.y > 0.0) && (a.perp_dot(b) > 0.0) == (b.y > a.y)
+    });
+    crossed.count() % 2 == 1
 }
 
 /// The i-th point of the R₃ sequence (M. Roberts, 2018) with an offset, in the unit cube.
