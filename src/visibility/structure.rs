@@ -92,9 +92,11 @@ impl FromStr for Structures {
     type Err = UnknownStructure;
 
     fn from_str(name: &str) -> Result<Self, UnknownStructure> {
-        let unknown = |_| UnknownStructure(name.to_owned());
         let Some((rays, shadows)) = name.split_once('/') else { return name.parse::<Structure>().map(Self::from) };
-        Ok(Self { rays: rays.parse().map_err(unknown)?, shadows: shadows.parse().map_err(unknown)? })
+        match (rays.parse(), shadows.parse()) {
+            (Ok(rays), Ok(shadows)) => Ok(Self { rays, shadows }),
+            _ => Err(UnknownStructure(name.to_owned())),
+        }
     }
 }
 
