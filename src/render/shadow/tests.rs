@@ -14,11 +14,19 @@ use crate::visibility::Structure;
 struct Random(u64);
 
 impl Random {
-    fn next(&mut self) -> f64 {
+    fn bits(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
         let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
+        z ^ (z >> 31)
+    }
+
+    fn next(&mut self) -> f64 {
+        (self.bits() >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    fn below(&mut self, count: usize) -> usize {
+        usize::try_from(self.bits() % count as u64).expect("it is below a usize")
     }
 
     fn within(&mut self, from: f64, to: f64) -> f64 {
@@ -180,7 +188,7 @@ fn random_point(emitter: &Emitter, p: DVec3, random: &mut Random) -> (DVec3, f64
 fn scene(shape: &LightShape, random: &mut Random) -> (Casters, Emitter, ShadingPoint) {
     let primitive = |random: &mut Random| {
         let shapes = primitives();
-        let shape = shapes[1 + (random.next() * 5.999).floor() as usize].clone();
+        let shape = shapes[1 + random.below(6)].clone();
         surface(shape, DVec3::Z + random.vector(0.9), random.vector(180.0))
     };
     let surfaces: Vec<_> =
@@ -241,8 +249,7 @@ fn the_stated_error_is_what_dense_rays_find() {
             let casters = casters.with_precision(Precision { error: SOUGHT, points: 1 << 16 });
             let Some(found) = casters.shares(&source, &at, &lobe, 1.0) else { continue };
             let dense = dense_shares(&casters, &light, &at, &lobe, DENSE);
-            for part in 0..2 {
-                let [share, own_error] = dense[part];
+            for (part, [share, own_error]) in dense.into_iter().enumerate() {
                 let off = ((found.shares[part] - share).abs() - 2.0 * own_error).max(0.0);
                 assert!(found.errors[part] <= SOUGHT, "{name}: as sought: {found:?}");
                 (0..3_u8).zip(&mut within).for_each(|(i, within)| {
