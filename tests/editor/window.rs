@@ -55,7 +55,7 @@ impl Window {
         let open = text.map(|_| path);
         let harness = Harness::builder()
             .with_size(vec2(1280.0, 800.0))
-            .with_max_steps(1024)
+            .with_max_steps(256)
             .with_step_dt(1.0 / 30.0)
             .with_options(options())
             .wgpu()
@@ -86,8 +86,9 @@ impl Window {
     pub(crate) fn settle(&mut self) {
         let start = Instant::now();
         loop {
-            self.harness.run();
-            if !self.harness.state().is_busy() {
+            // A picture that refines asks for one frame after another: how many depends on the machine.
+            let is_still = self.harness.run_ok().is_some();
+            if is_still && !self.harness.state().is_busy() {
                 return;
             }
             assert!(start.elapsed() < PATIENCE, "the window is still busy");

@@ -12,8 +12,10 @@ use crate::scene::Scene;
 
 /// A frame may take this long while something is dragged, before resolution is lowered.
 const FRAME_BUDGET: Duration = Duration::from_millis(40);
-/// A band of refinement may take this long: a click waits for no more.
-const REFINE_BUDGET: Duration = Duration::from_millis(80);
+/// A band of refinement may take this many times as long: a click waits for no more.
+const REFINE_SHARE: u32 = 2;
+/// The window never waits longer than this for the device.
+const LONGEST_WAIT: Duration = Duration::from_secs(1);
 /// Bands of a layer, at most.
 const MOST_BANDS: u32 = 256;
 /// Resolutions while dragging, as shares of the pane's: each halves the number of pixels.
@@ -29,7 +31,7 @@ pub struct Picture {
     texture: Option<(wgpu::TextureView, TextureId)>,
     pace: Pace,
     clock: Clock,
-    /// Bands that refinement is cut into, so that each takes about [`REFINE_BUDGET`].
+    /// Bands that refinement is cut into, so that each takes about [`REFINE_SHARE`] frames' budget.
     bands: u32,
 }
 
@@ -46,7 +48,7 @@ impl Picture {
         }
     }
 
-    /// How long a frame may take while something is dragged.
+    /// How long a frame may take while something is dragged, and about twice as long while it refines.
     pub fn set_frame_budget(&mut self, budget: Duration) {
         self.pace.budget = budget;
     }
@@ -57,14 +59,15 @@ impl Picture {
         let RenderState { device, queue, renderer, .. } = &self.render_state;
         // What refines waits until the device is free, so that the window never waits for more than a band of it.
         let waits = !dragging && self.clock.is_running();
-        let wait = wgpu::PollType::Wait { submission_index: None, timeout: Some(REFINE_BUDGET) };
+        let budget = self.pace.budget.saturating_mul(REFINE_SHARE);
+        let wait = wgpu::PollType::Wait { submission_index: None, timeout: Some(budget.min(LONGEST_WAIT)) };
         // A poll fails where the work takes longer, or the device was lost, which eframe reports.
         let polled = device.poll(if waits { wait } else { wgpu::PollType::Poll }).is_ok();
         match self.clock.read().filter(|_| polled) {
             Some(cost) if dragging => self.pace.learn(cost),
             cost if !dragging => {
                 self.pace.rest();
-                self.bands = cost.map_or(self.bands, |cost| bands_after(self.bands, cost));
+                self.bands = cost.map_or(self.bands, |cost| bands_after(self.bands, cost, budget));
                 self.preview.refine_in_bands(self.bands);
             }
             _ => {}
@@ -115,8 +118,8 @@ impl Drop for Picture {
 /// Bands for the next refinement, where one of `bands` took `cost`: as many more as it was too long, or a quarter,
 /// because a first look that makes pipelines too costs far more than what follows.
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 1 and the most bands")]
-fn bands_after(bands: u32, cost: Duration) -> u32 {
-    let share = cost.as_secs_f64() / REFINE_BUDGET.as_secs_f64();
+fn bands_after(bands: u32, cost: Duration, budget: Duration) -> u32 {
+    let share = cost.as_secs_f64() / budget.as_secs_f64();
     if share > 1.0 {
         (f64::from(bands) * share).ceil().min(f64::from(MOST_BANDS)) as u32
     } else if share < 0.25 {
@@ -247,14 +250,14 @@ mod tests {
     fn refinement_is_cut_until_a_band_is_short_and_no_finer() {
         let mut bands = 1;
         for _ in 0..10 {
-            bands = bands_after(bands, Duration::from_secs(8) / bands);
+            bands = bands_after(bands, Duration::from_secs(8) / bands, 2 * BUDGET);
         }
         assert_eq!(bands, 100, "8 s in bands of 80 ms");
         for _ in 0..10 {
-            bands = bands_after(bands, Duration::from_millis(10) / bands);
+            bands = bands_after(bands, Duration::from_millis(10) / bands, 2 * BUDGET);
         }
         assert_eq!(bands, 1, "short work at once");
-        assert_eq!(bands_after(1, Duration::from_secs(1000)), MOST_BANDS, "no more than that");
+        assert_eq!(bands_after(1, Duration::from_secs(1000), 2 * BUDGET), MOST_BANDS, "no more than that");
     }
 
     #[test]
