@@ -60,7 +60,8 @@ impl<'a> Layers<'a> {
     fn new(context: &'a Context, shape: &Shape, method: Method, specular: f64) -> Self {
         let scene = scene(shape, specular);
         let camera = scene.camera;
-        let view = View { camera, size: SIZE, method, exposure_ev: 0.0, show_emitters: false, refine: false };
+        let view =
+            View { camera, size: SIZE, method, exposure_ev: 0.0, show_emitters: false, shadows: false, refine: false };
         let preview = Preview::new(&context.device, &context.queue);
         let mut layers = Self { context, preview, scene, view, moved: Duration::MAX, weighed: Duration::MAX };
         layers.draw();

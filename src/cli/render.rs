@@ -107,6 +107,7 @@ fn on_gpu(scene: &Scene, settings: &Settings) -> anyhow::Result<Film> {
         method,
         exposure_ev: scene.display.exposure_ev,
         show_emitters: true,
+        shadows: settings.shadows != crate::render::Shadows::None,
         refine: settings.samples > 1,
     };
     let pixels = picture(&context, scene, &view)?;

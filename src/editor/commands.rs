@@ -72,6 +72,8 @@ pub enum Command {
     SaveView,
     /// Show or hide the lights themselves.
     ToggleEmitters,
+    /// Let surfaces cast shadows or not.
+    ToggleShadows,
     /// Show or hide the ground grid.
     ToggleGrid,
     /// Switch grid snap.
@@ -286,6 +288,7 @@ impl Command {
         Self::Tool(Tool::Sphere),
         Self::Focus,
         Self::FrameAll,
+        Self::ToggleShadows,
         Self::ToggleSnap,
         Self::Keys,
     ];
@@ -335,6 +338,7 @@ impl Command {
             Self::ResetView => "View through scene camera",
             Self::SaveView => "Make view the scene camera",
             Self::ToggleEmitters => "Show lights",
+            Self::ToggleShadows => "Show shadows",
             Self::ToggleGrid => "Show grid",
             Self::ToggleSnap => "Snap to grid",
             Self::ResetLayout => "Reset layout",
@@ -374,6 +378,7 @@ impl Command {
             Self::Tool(Tool::Sphere) => (Modifiers::NONE, Key::O),
             Self::Focus => (Modifiers::NONE, Key::F),
             Self::FrameAll => (Modifiers::NONE, Key::A),
+            Self::ToggleShadows => (Modifiers::NONE, Key::H),
             Self::ToggleSnap => (Modifiers::NONE, Key::G),
             Self::Keys => (Modifiers::NONE, Key::F1),
             _ => return None,
@@ -402,6 +407,7 @@ impl Command {
             Self::Tool(tool) => Some(session.tool == *tool),
             Self::Method(method) => Some(session.view.method == *method),
             Self::ToggleEmitters => Some(session.view.show_emitters),
+            Self::ToggleShadows => Some(session.view.show_shadows),
             Self::ToggleGrid => Some(session.view.show_grid),
             Self::ToggleSnap => Some(session.work_plane.snap),
             _ => None,
@@ -451,6 +457,7 @@ impl Command {
             Self::ResetView => session.reset_view(),
             Self::SaveView => session.save_view(),
             Self::ToggleEmitters => session.view.show_emitters ^= true,
+            Self::ToggleShadows => session.view.show_shadows ^= true,
             Self::ToggleGrid => session.view.show_grid ^= true,
             Self::ToggleSnap => session.work_plane.snap ^= true,
             Self::ResetLayout => app.reset_layout(),

@@ -56,6 +56,8 @@ pub struct ViewState {
     pub method: Method,
     /// Whether lights are seen themselves.
     pub show_emitters: bool,
+    /// Surfaces cast shadows.
+    pub show_shadows: bool,
     /// Whether the ground grid is drawn.
     pub show_grid: bool,
 }
@@ -257,7 +259,13 @@ impl Default for WorkPlane {
 impl Session {
     /// An unmodified document.
     pub fn new(scene: Scene, path: Option<PathBuf>) -> Self {
-        let view = ViewState { camera: scene.camera, method: Method::Exact, show_emitters: true, show_grid: true };
+        let view = ViewState {
+            camera: scene.camera,
+            method: Method::Exact,
+            show_emitters: true,
+            show_shadows: true,
+            show_grid: true,
+        };
         Self {
             history: History::new(scene),
             path,

@@ -1,9 +1,8 @@
 //! The last layers: radiance from the light layers, and the picture from radiance.
 
 use super::gbuffer::GBuffer;
-use super::layers::Sample;
-use super::lights::LightData;
 use super::pass::{self, Binding, Target};
+use super::sample::{Lit, Sample};
 use super::shader::{Module, Source};
 use super::types::{Composite, Reflectance, Tone, VisibleEmitter, f32_of, u32_of, vec3_of, vec4_of};
 use super::view::View;
@@ -25,7 +24,7 @@ const DISK: u32 = 2;
 const CAP: u32 = 3;
 const SKY: u32 = 4;
 /// Layers that one pass sums.
-const BATCH: usize = 8;
+const BATCH: usize = 6;
 
 /// Texels along a side of a pattern that is seen; of larger patterns some are left out.
 const MOST_SEEN: u32 = 256;
@@ -33,8 +32,8 @@ const MOST_SEEN: u32 = 256;
 /// All that a picture depends on beside the layers. Equal mixes of the same layers give equal pictures.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Mix {
-    /// Each light that contributes, and its weight.
-    lights: Vec<(LightData, [f32; 4])>,
+    /// Each light that contributes, its shadow, and its weight.
+    lights: Vec<(Lit, DVec3)>,
     reflectances: Vec<Reflectance>,
     emitters: Vec<VisibleEmitter>,
     emitter_vertices: Vec<[f32; 4]>,
@@ -44,7 +43,7 @@ pub(crate) struct Mix {
 
 impl Mix {
     /// The scene's materials and emitters in this view; `lights` are its contributing lights in order.
-    pub(crate) fn new(scene: &Scene, view: &View, lights: Vec<(LightData, [f32; 4])>) -> Self {
+    pub(crate) fn new(scene: &Scene, view: &View, lights: Vec<(Lit, DVec3)>) -> Self {
         let reflectances = scene
             .materials
             .iter()
@@ -201,7 +200,7 @@ impl CompositePass {
     pub(crate) fn new(device: &wgpu::Device) -> Self {
         use Binding::{Storage, Texture, Uniform};
         let scene_layout = pass::bind_group_layout(device, &[Texture, Texture, Storage, Storage, Storage]);
-        let batch_layout = pass::bind_group_layout(device, &[&[Uniform, Texture][..], &[Texture; BATCH]].concat());
+        let batch_layout = pass::bind_group_layout(device, &[&[Uniform, Texture][..], &[Texture; 2 * BATCH]].concat());
         let tone_layout = pass::bind_group_layout(device, &[Texture, Texture, Texture, Uniform]);
         let [sum, tone] = Self::sources();
         Self {
@@ -239,8 +238,8 @@ impl CompositePass {
                 emitter_count: u32_of(mix.emitters.len()),
                 ..Default::default()
             };
-            for (slot, (_, weight)) in uniform.weights.iter_mut().zip(lights) {
-                *slot = *weight;
+            for (slot, (lit, weight)) in uniform.weights.iter_mut().zip(lights) {
+                *slot = vec4_of(*weight, f64::from(u8::from(lit.shadow.is_some())));
             }
             let [before, after] = [batch + 1, batch].map(|i| &picture.sample[i % 2]);
             let group = self.batch_group(device, &uniform, sample, lights, before);
@@ -291,14 +290,18 @@ impl CompositePass {
         device: &wgpu::Device,
         uniform: &Composite,
         sample: &Sample,
-        lights: &[(LightData, [f32; 4])],
+        lights: &[(Lit, DVec3)],
         before: &Target,
     ) -> wgpu::BindGroup {
         let uniform = pass::uniform(device, uniform);
         let mut resources = vec![uniform.as_entire_binding(), wgpu::BindingResource::TextureView(&before.view)];
-        let layers = lights.iter().map(|(light, _)| sample.layer(light).unwrap_or(&self.no_layer));
-        let layers = layers.chain(std::iter::repeat(&self.no_layer)).take(BATCH);
-        resources.extend(layers.map(|layer| wgpu::BindingResource::TextureView(&layer.view)));
+        let layers = lights.iter().map(|(lit, _)| sample.layer(&lit.light));
+        let shadows = lights.iter().map(|(lit, _)| sample.shadow(lit.shadow.as_ref()?));
+        let filled = |targets: &mut dyn Iterator<Item = Option<&Target>>| -> [wgpu::TextureView; BATCH] {
+            std::array::from_fn(|_| targets.next().flatten().unwrap_or(&self.no_layer).view.clone())
+        };
+        let views = [filled(&mut layers.into_iter()), filled(&mut shadows.into_iter())];
+        resources.extend(views.as_flattened().iter().map(wgpu::BindingResource::TextureView));
         pass::bind_group(device, &self.batch_layout, &resources)
     }
 }

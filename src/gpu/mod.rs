@@ -2,7 +2,8 @@
 //!
 //! 1. *G-buffer*: what the camera sees, by casting rays at the surfaces (`gbuffer.rs`, `occluders.rs`).
 //! 2. *Light layers*, one a light: its response at unit strength (`layers.rs`, `lights.rs`).
-//! 3. *Composite*: weights, materials, emitters, a running mean over samples; then the tone curve (`composite.rs`).
+//! 3. *Shadow layers*, one a light: the share of it that is seen (`shadows.rs`).
+//! 4. *Composite*: weights, materials, emitters, a running mean over samples; then the tone curve (`composite.rs`).
 //!
 //! f32 is born here. Everything is placed about the eye, in f64, before it is rounded.
 
@@ -16,7 +17,9 @@ mod occluders;
 mod pass;
 mod preview;
 mod read_back;
+mod sample;
 mod shader;
+mod shadows;
 mod table;
 #[cfg(test)]
 mod tests;

@@ -6,13 +6,14 @@ use glam::DVec3;
 
 use super::Context;
 use super::composite::{CompositePass, Mix, Picture};
-use super::gbuffer::{GBufferPass, Seen};
-use super::layers::{LayerPass, Sample, Wanted};
+use super::gbuffer::Seen;
 use super::lights::LightData;
 use super::lobes;
 use super::occluders::Occluders;
 use super::read_back::{self, Pixels, ReadBackError};
-use super::types::{Lobe, vec4_of};
+use super::sample::{Lit, Passes, Sample, Wanted};
+use super::shadows::{self, ShadowData};
+use super::types::Lobe;
 use super::view::{Stats, View};
 use crate::render::lobe_of;
 use crate::scene::Scene;
@@ -24,12 +25,12 @@ const SAMPLES: u16 = 8;
 /// The live picture of a scene.
 ///
 /// Work follows change: the G-buffer is redone when the camera, the size or a surface changes; a light's layer when
-/// that light's emitter, its method, a lobe or the G-buffer changes; the sum of the layers when a weight, a material or
+/// that light's emitter, its method, a lobe or the G-buffer changes; its shadow when its emitter, the width of a lobe or
+/// the G-buffer does; the sum of the layers when a weight, a material or
 /// the exposure changes; and nothing at all when nothing did. What to compare is the very data that the shaders read.
 #[derive(Debug)]
 pub struct Preview {
-    gbuffer_pass: GBufferPass,
-    layer_pass: LayerPass,
+    passes: Passes,
     composite_pass: CompositePass,
     /// What rays meet.
     occluders: Option<Arc<Occluders>>,
@@ -41,9 +42,9 @@ pub struct Preview {
     picture: Picture,
     /// In the picture's mean.
     samples: u16,
-    /// Every layer has been through all its stages.
+    /// Every layer and shadow has been through all its stages.
     is_refined: bool,
-    /// Bands that a layer's refinement is cut into.
+    /// Bands that a stage is cut into.
     bands: u32,
     stats: Stats,
 }
@@ -52,8 +53,7 @@ impl Preview {
     /// A preview with no picture yet. The device needs WebGPU's default limits: see [`super::device_descriptor`].
     pub fn new(device: &wgpu::Device, _queue: &wgpu::Queue) -> Self {
         Self {
-            gbuffer_pass: GBufferPass::new(device),
-            layer_pass: LayerPass::new(device),
+            passes: Passes::new(device),
             composite_pass: CompositePass::new(device),
             occluders: None,
             centred: Sample::default(),
@@ -77,35 +77,32 @@ impl Preview {
         view: &View,
     ) -> &wgpu::TextureView {
         let view = View { size: view.size.map(|side| side.max(1)), ..*view };
-        let layout = self.gbuffer_pass.occluder_layout();
+        let layout = self.passes.gbuffer.occluder_layout();
         let occluders = Occluders::of_scene(device, layout, (scene, view.camera.eye), self.occluders.as_ref());
         self.occluders = Some(Arc::clone(&occluders));
         let (wanted, mix) = wanted(scene, &view, &occluders, self.bands);
         let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        let passes = (&self.gbuffer_pass, &mut self.layer_pass);
-        let redone = self.centred.update(device, &mut encoder, passes, &wanted, &mut self.stats);
+        let before = self.stats;
+        let worked = self.centred.update(device, &mut encoder, &mut self.passes, &wanted, &mut self.stats);
         self.is_refined = self.centred.is_refined(&wanted.lit);
         if self.picture.size() != view.size {
             self.picture = Picture::new(device, view.size);
         }
-        if redone || self.mix.as_ref() != Some(&mix) {
+        let shows = self.stats != before || self.mix.as_ref() != Some(&mix);
+        let refines = !worked && !shows && view.refine && !self.is_converged();
+        if shows {
             self.samples = 0;
-        }
-        let mut worked = self.samples == 0;
-        if worked {
             self.accumulate(device, &mut encoder, &mix, false);
-        } else if view.refine && !self.is_converged() {
-            let jitter = jitter(self.samples);
-            let wanted = Wanted { seen: Seen::new(&occluders, &view, jitter), by_stages: false, ..wanted };
-            let passes = (&self.gbuffer_pass, &mut self.layer_pass);
-            self.jittered.update(device, &mut encoder, passes, &wanted, &mut self.stats);
+        } else if refines {
+            let seen = Seen::new(&occluders, &view, jitter(self.samples));
+            let wanted = Wanted { seen, sample: self.samples, ..wanted };
+            self.jittered.update(device, &mut encoder, &mut self.passes, &wanted, &mut self.stats);
             if self.jittered.is_refined(&wanted.lit) {
                 self.accumulate(device, &mut encoder, &mix, true);
             }
-            worked = true;
         }
         self.mix = Some(mix);
-        if worked {
+        if worked || shows || refines {
             queue.submit([encoder.finish()]);
         }
         &self.picture.picture().view
@@ -118,8 +115,8 @@ impl Preview {
         self.stats.composites += 1;
     }
 
-    /// Cuts the refinement of a layer into that many bands, one a call, so that no call holds the device for long. With
-    /// 1, as at first, a call does a stage or a sample of all layers.
+    /// Cuts a stage of all layers and shadows into that many bands, one a call, so that no call holds the device for
+    /// long. With 1, as at first, a call does a whole stage or sample.
     pub fn refine_in_bands(&mut self, bands: u32) {
         self.bands = bands.max(1);
     }
@@ -134,7 +131,7 @@ impl Preview {
         self.is_refined && self.samples >= SAMPLES
     }
 
-    /// Whether every layer is as accurate as it gets: an exact textured light's layer takes a few calls.
+    /// Whether every layer and shadow through the pixels' centres is as accurate as it gets, which takes a few calls.
     pub fn is_refined(&self) -> bool {
         self.is_refined
     }
@@ -177,11 +174,12 @@ fn wanted(scene: &Scene, view: &View, occluders: &Arc<Occluders>, bands: u32) ->
         seen: Seen::new(occluders, view, [0.0, 0.0]),
         lobes: lobes(scene, view.method),
         matte,
-        by_stages: true,
+        sample: 0,
         bands,
         lit: Vec::new(),
         dark: Vec::new(),
     };
+    let shadows = view.shadows && shadows::are_cast(&scene.surfaces);
     let other_lobes = !matte && wanted.lobes.iter().any(lobes::is_other);
     for light in &scene.lights {
         for (emitter, weight) in light.parts() {
@@ -190,11 +188,13 @@ fn wanted(scene: &Scene, view: &View, occluders: &Arc<Occluders>, bands: u32) ->
             if other_lobes {
                 data = data.with_other_lobes(&emitter, method, view.camera.eye);
             }
+            let shadow = shadows.then(|| ShadowData::new(&emitter, view.camera.eye, other_lobes));
+            let lit = Lit { light: data, shadow };
             if weight.max_element() > 0.0 {
-                wanted.lit.push(data.clone());
-                mixed.push((data, vec4_of(weight, 0.0)));
+                wanted.lit.push(lit.clone());
+                mixed.push((lit, weight));
             } else {
-                wanted.dark.push(data);
+                wanted.dark.push(lit);
             }
         }
     }

@@ -59,6 +59,16 @@ modules! {
     OCCLUSION = "occlusion.wgsl";
     /// What is hidden of a linear light.
     LINE_HIDDEN = "line_hidden.wgsl";
+    /// Numbers that cover a square evenly.
+    SEQUENCE = "sequence.wgsl";
+    /// What shadows are cast on.
+    SHADOWED = "shadowed.wgsl";
+    /// Points of lights.
+    SHADOW_LIGHTS = "shadow_lights.wgsl";
+    /// A light's shadow, by rays.
+    SHADOW = "shadow.wgsl";
+    /// A linear light's shadow.
+    LINE_SHADOW = "line_shadow.wgsl";
     /// A light's layer.
     LAYER = "layer.wgsl";
     /// A function over a table.

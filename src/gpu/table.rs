@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::types::f32_of;
-use super::{pass, textured};
+use super::{pass, shadows, textured};
 use crate::light::pattern::Channel;
 use crate::shading::one_shot::{Kernel, Prefiltered};
 
@@ -17,6 +17,8 @@ pub(crate) enum Table {
     Pattern(Arc<Prefiltered>, Kernel),
     /// A pattern's parts.
     Parts(Arc<Channel>),
+    /// A pattern's texels, and sums by which they are drawn.
+    Cells(Arc<Channel>),
 }
 
 impl PartialEq for Table {
@@ -24,7 +26,7 @@ impl PartialEq for Table {
         match (self, other) {
             (Self::None, Self::None) => true,
             (Self::Pattern(a, a_kernel), Self::Pattern(b, b_kernel)) => Arc::ptr_eq(a, b) && a_kernel == b_kernel,
-            (Self::Parts(a), Self::Parts(b)) => Arc::ptr_eq(a, b),
+            (Self::Parts(a), Self::Parts(b)) | (Self::Cells(a), Self::Cells(b)) => Arc::ptr_eq(a, b),
             _ => false,
         }
     }
@@ -36,6 +38,7 @@ impl Table {
         match self {
             Self::None => vec![0.0],
             Self::Parts(channel) => textured::parts(channel),
+            Self::Cells(channel) => shadows::cells(channel),
             Self::Pattern(pattern, Kernel::Disk) => pattern.disks().sums().iter().copied().map(f32_of).collect(),
             Self::Pattern(pattern, Kernel::Square) => {
                 pattern.mipmap().levels().iter().flatten().copied().map(f32_of).collect()

@@ -6,6 +6,7 @@ use super::composite::CompositePass;
 use super::gbuffer::GBufferPass;
 use super::lights::Responder;
 use super::shader::{Module, Source};
+use super::shadows::Finder;
 use super::twin;
 use super::types::LAYOUTS;
 
@@ -30,6 +31,7 @@ fn check(source: &Source) -> naga::Module {
 fn every_source() -> Vec<Source> {
     let mut sources: Vec<_> =
         Responder::ALL.iter().flat_map(|responder| [true, false].map(|matte| responder.source(matte))).collect();
+    sources.extend(Finder::ALL.iter().map(Finder::source));
     sources.push(GBufferPass::source());
     sources.extend(CompositePass::sources());
     sources.extend(twin::FUNCTIONS.iter().map(twin::source));

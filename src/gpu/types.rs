@@ -194,12 +194,32 @@ gpu_structs! {
         pad: [u32; 3],
     }
 
+    /// A light as rays look for its points.
+    ShadowLight {
+        place: Vec3,
+        size: f32,
+        row: Vec3,
+        part: f32,
+        column: Vec3,
+        two_sided: u32,
+        normal: Vec3,
+        count: u32,
+    }
+
+    /// Rays of one pass.
+    ShadowPass {
+        first: u32,
+        count: u32,
+        starts: u32,
+        matte: u32,
+    }
+
     /// One batch of the composite.
     Composite {
         adds: u32,
         emitter_count: u32,
         unused: [u32; 2],
-        weights: [[f32; 4]; 8],
+        weights: [[f32; 4]; 6],
     }
 
     /// A material, lobe apart.
@@ -236,6 +256,13 @@ gpu_structs! {
     Tone {
         exposure: f32,
         share: f32,
+    }
+}
+
+impl Lobe {
+    /// What its density depends on.
+    pub(crate) fn shape(&self) -> (f32, u32, [f32; 2]) {
+        (self.exponent, self.model, self.parameters)
     }
 }
 

@@ -16,6 +16,8 @@ pub struct View {
     pub exposure_ev: f64,
     /// Draw polygons and spheres of light themselves.
     pub show_emitters: bool,
+    /// Surfaces cast shadows.
+    pub shadows: bool,
     /// While nothing changes, each call adds a sample a pixel until the picture has converged.
     pub refine: bool,
 }
@@ -27,6 +29,8 @@ pub struct Stats {
     pub g_buffers: u64,
     /// Passes that shaded one light.
     pub layers: u64,
+    /// Passes that cast rays at one light.
+    pub shadows: u64,
     /// Sums of the layers, exposed and tone-mapped.
     pub composites: u64,
 }

@@ -11,7 +11,7 @@ use softbox::shading::Method;
 
 use crate::CONTEXT;
 
-const SIZE: [u32; 2] = [240, 135];
+pub(crate) const SIZE: [u32; 2] = [240, 135];
 
 /// Worst differences between two pictures as shares of the peak, and how much they cover.
 #[derive(Default)]
@@ -67,6 +67,7 @@ fn difference(scene: &Scene, method: Method, tolerance: f64) -> Difference {
         method,
         exposure_ev: scene.display.exposure_ev,
         show_emitters: true,
+        shadows: false,
         refine: false,
     };
     let pixels = picture(&CONTEXT, scene, &view).expect("the picture comes back");
@@ -105,10 +106,10 @@ fn compare(scene: &Scene, film: &Film, radiance: &[[f32; 3]], srgb: &[[u8; 4]], 
 }
 
 /// What each pixel's centre shows, and its normal.
-struct Seen(Vec<Option<(Thing, DVec3)>>);
+pub(crate) struct Seen(Vec<Option<(Thing, DVec3)>>);
 
 impl Seen {
-    fn new(scene: &Scene) -> Self {
+    pub(crate) fn new(scene: &Scene) -> Self {
         let geometry = Geometry::new(scene);
         let [width, height] = SIZE.map(f64::from);
         let pixels = (0..SIZE[1]).flat_map(|y| (0..SIZE[0]).map(move |x| (f64::from(x) + 0.5, f64::from(y) + 0.5)));
@@ -125,7 +126,7 @@ impl Seen {
     }
 
     /// Whether a neighbour shows another thing, or a normal more than 60° away.
-    fn is_edge(&self, index: usize) -> bool {
+    pub(crate) fn is_edge(&self, index: usize) -> bool {
         let [x, y] = Self::place(index);
         let ys = y.saturating_sub(1)..=(y + 1).min(SIZE[1] - 1);
         let mut neighbours = ys.flat_map(|y| (x.saturating_sub(1)..=(x + 1).min(SIZE[0] - 1)).map(move |x| (x, y)));

@@ -69,6 +69,7 @@ fn view(scene: &Scene) -> View {
         method: Method::Exact,
         exposure_ev: 0.0,
         show_emitters: true,
+        shadows: false,
         refine: false,
     }
 }

@@ -24,6 +24,7 @@ impl Bench {
             method: Method::Exact,
             exposure_ev: 0.0,
             show_emitters: false,
+            shadows: false,
             refine: false,
         };
         Self { preview, scene, view }
@@ -46,6 +47,7 @@ impl Bench {
         let cost = Stats {
             g_buffers: after.g_buffers - before.g_buffers,
             layers: after.layers - before.layers,
+            shadows: after.shadows - before.shadows,
             composites: after.composites - before.composites,
         };
         assert_eq!(cost, expected, "{change}");
@@ -104,7 +106,7 @@ fn scene() -> Scene {
     }
 }
 
-const NOTHING: Stats = Stats { g_buffers: 0, layers: 0, composites: 0 };
+const NOTHING: Stats = Stats { g_buffers: 0, layers: 0, shadows: 0, composites: 0 };
 const COMPOSITE: Stats = Stats { composites: 1, ..NOTHING };
 
 #[test]
@@ -154,6 +156,60 @@ fn work_follows_change() {
     bench.view.show_emitters = true;
     bench.check_cost("emitters", COMPOSITE);
     bench.check_cost("nothing", NOTHING);
+}
+
+#[test]
+fn shadows_follow_the_lights_places_and_the_surfaces_only() {
+    let mut bench = Bench::new(scene());
+    bench.view.shadows = true;
+    bench.check_cost("first picture", Stats { g_buffers: 1, layers: 3, shadows: 3, ..COMPOSITE });
+    let more = Stats { shadows: 1, ..COMPOSITE };
+    for _ in 0..2 {
+        bench.check_cost("more rays to the window", more);
+    }
+    bench.check_cost("nothing", NOTHING);
+    bench.view.method = Method::Point;
+    bench.check_cost("the method", Stats { layers: 2, ..COMPOSITE });
+    bench.scene.lights[0].tint = Tint::Color(DVec3::new(1.0, 0.5, 0.2));
+    bench.check_cost("a tint", COMPOSITE);
+    bench.scene.lights[2].quantity = Quantity::new(QuantityKind::Flux, 500.0);
+    bench.check_cost("a quantity", COMPOSITE);
+    bench.scene.lights[2].muted = true;
+    bench.check_cost("mute", COMPOSITE);
+    bench.scene.lights[2].muted = false;
+    bench.check_cost("unmute", COMPOSITE);
+    bench.scene.lights[1].position.z = 1.5;
+    bench.check_cost("one light is dragged", Stats { layers: 1, shadows: 1, ..COMPOSITE });
+    bench.view.shadows = false;
+    bench.check_cost("no shadows", COMPOSITE);
+    bench.view.shadows = true;
+    bench.check_cost("shadows again", Stats { shadows: 3, ..COMPOSITE });
+    bench.scene.surfaces[1].position.x = 0.3;
+    bench.check_cost("a surface", Stats { g_buffers: 1, layers: 3, shadows: 3, ..COMPOSITE });
+    bench.scene.materials[0].exponent = 64.0;
+    bench.check_cost("an exponent", Stats { layers: 3, shadows: 3, ..COMPOSITE });
+    bench.scene.lights[2].position.x = 0.9;
+    bench.check_cost("a light before its rays are cast", Stats { layers: 1, shadows: 1, ..COMPOSITE });
+}
+
+#[test]
+fn shadows_in_bands_end_in_the_same_picture() {
+    let refined = |bands| {
+        let mut bench = Bench::new(scene());
+        bench.view = View { refine: true, shadows: true, ..bench.view };
+        bench.preview.refine_in_bands(bands);
+        let mut calls = 0;
+        while !bench.preview.is_converged() {
+            bench.render();
+            calls += 1;
+            assert!(calls <= 1000, "the picture does not converge");
+        }
+        (bench.pixels().radiance, bench.render())
+    };
+    let (whole, banded) = (refined(1), refined(7));
+    assert_eq!(whole.0, banded.0, "to the last bit");
+    let stages = Stats { g_buffers: 8, layers: 8 * 3, shadows: 8 * 3 + 2, composites: 8 + 2 };
+    assert_eq!((whole.1, banded.1), (stages, stages), "rays of eight samples");
 }
 
 #[test]
@@ -214,7 +270,7 @@ fn refinement_in_bands_ends_in_the_same_picture() {
     };
     let ((whole, calls), (banded, more_calls)) = (refined(1), refined(5));
     assert_eq!(whole, banded, "to the last bit");
-    assert_eq!((calls, more_calls), (8, 1 + 7 * 3 * 5), "a sample a call; a band of one of three layers a call");
+    assert_eq!((calls, more_calls), (8, 1 + 7 * 5), "a sample a call; a fifth of a sample a call");
 }
 
 #[test]

@@ -76,7 +76,12 @@ fn view_menu(ui: &mut Ui, session: &Session, chosen: &mut Option<Command>) {
     ui.separator();
     entries(ui, session, &[Command::Focus, Command::FrameAll, Command::ResetView, Command::SaveView], chosen);
     ui.separator();
-    entries(ui, session, &[Command::ToggleEmitters, Command::ToggleGrid, Command::ToggleSnap], chosen);
+    entries(
+        ui,
+        session,
+        &[Command::ToggleEmitters, Command::ToggleShadows, Command::ToggleGrid, Command::ToggleSnap],
+        chosen,
+    );
     ui.separator();
     entries(ui, session, &[Command::ResetLayout, Command::ToggleTheme], chosen);
 }

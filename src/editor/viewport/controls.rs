@@ -65,6 +65,7 @@ fn toggles(ui: &mut Ui, session: &mut Session, overlays: &mut Overlays) {
         .config(egui::containers::menu::MenuConfig::new().close_behavior(egui::PopupCloseBehavior::CloseOnClickOutside))
         .ui(ui, |ui| {
             ui.checkbox(&mut session.view.show_emitters, "Emitters");
+            ui.checkbox(&mut session.view.show_shadows, "Shadows");
             ui.checkbox(&mut session.view.show_grid, "Ground grid");
             ui.checkbox(&mut overlays.outlines, "Outlines and names");
             ui.checkbox(&mut overlays.probe, "Probe");

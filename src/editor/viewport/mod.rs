@@ -135,6 +135,7 @@ impl Viewport {
             method: session.view.method,
             exposure_ev: shown.display.exposure_ev,
             show_emitters: session.view.show_emitters,
+            shadows: session.view.show_shadows,
             refine: !self.pointer.is_dragging(),
         };
         let texture = self.picture.render(&shown, &view, self.pointer.is_dragging());

@@ -14,6 +14,24 @@ struct Shading {
     lobe: u32,
 }
 
+// What the eye, at the origin, sees: `normal` holds the unit normal and the lobe's place.
+fn shading_at(p: vec3f, normal: vec4f) -> Shading {
+    let n = normal.xyz;
+    let lobe = u32(normal.w);
+    let v = -normalize(p);
+    let along_normal = dot(n, v) * n;
+    if lobes[lobe].model == LAFORTUNE {
+        let q = lafortune_axis(lobe, v - along_normal, along_normal);
+        return Shading(p, n, q * inverseSqrt(max(dot(q, q), 1e-30)), lobe);
+    }
+    return Shading(p, n, 2.0 * along_normal - v, lobe);
+}
+
+// The axis of Lafortune's lobe, whose length raised to the exponent is its factor.
+fn lafortune_axis(lobe: u32, tangential: vec3f, along_normal: vec3f) -> vec3f {
+    return lobes[lobe].parameters.x * tangential + lobes[lobe].parameters.y * along_normal;
+}
+
 // What a unit-strength light does at a point; see the Rust type of that name.
 struct Response {
     irradiance: f32,

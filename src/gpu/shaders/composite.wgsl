@@ -5,8 +5,8 @@ struct Composite {
     adds: u32,
     emitter_count: u32,
     unused: vec2u,
-    // Strength times tint of each layer.
-    weights: array<vec4f, 8>,
+    // Strength times tint of each layer; w is 1 where it has a shadow.
+    weights: array<vec4f, 6>,
 }
 
 struct Reflectance {
@@ -50,8 +50,12 @@ const SKY = 4u;
 @group(1) @binding(5) var layer_3: texture_2d<f32>;
 @group(1) @binding(6) var layer_4: texture_2d<f32>;
 @group(1) @binding(7) var layer_5: texture_2d<f32>;
-@group(1) @binding(8) var layer_6: texture_2d<f32>;
-@group(1) @binding(9) var layer_7: texture_2d<f32>;
+@group(1) @binding(8) var shadow_0: texture_2d<f32>;
+@group(1) @binding(9) var shadow_1: texture_2d<f32>;
+@group(1) @binding(10) var shadow_2: texture_2d<f32>;
+@group(1) @binding(11) var shadow_3: texture_2d<f32>;
+@group(1) @binding(12) var shadow_4: texture_2d<f32>;
+@group(1) @binding(13) var shadow_5: texture_2d<f32>;
 
 @fragment
 fn composite(@builtin(position) pixel: vec4f) -> @location(0) vec4f {
@@ -80,19 +84,26 @@ struct ColoredResponse {
 }
 
 fn sum_of_layers(at: vec2i) -> ColoredResponse {
-    let a = weighed(0u, textureLoad(layer_0, at, 0), weighed(1u, textureLoad(layer_1, at, 0), nothing()));
-    let b = weighed(2u, textureLoad(layer_2, at, 0), weighed(3u, textureLoad(layer_3, at, 0), a));
-    let c = weighed(4u, textureLoad(layer_4, at, 0), weighed(5u, textureLoad(layer_5, at, 0), b));
-    return weighed(6u, textureLoad(layer_6, at, 0), weighed(7u, textureLoad(layer_7, at, 0), c));
+    let none = ColoredResponse(vec3f(), vec3f());
+    let a = weighed(0u, textureLoad(layer_0, at, 0), textureLoad(shadow_0, at, 0), none);
+    let b = weighed(1u, textureLoad(layer_1, at, 0), textureLoad(shadow_1, at, 0), a);
+    let c = weighed(2u, textureLoad(layer_2, at, 0), textureLoad(shadow_2, at, 0), b);
+    let d = weighed(3u, textureLoad(layer_3, at, 0), textureLoad(shadow_3, at, 0), c);
+    let e = weighed(4u, textureLoad(layer_4, at, 0), textureLoad(shadow_4, at, 0), d);
+    return weighed(5u, textureLoad(layer_5, at, 0), textureLoad(shadow_5, at, 0), e);
 }
 
-fn nothing() -> ColoredResponse {
-    return ColoredResponse(vec3f(), vec3f());
+fn weighed(index: u32, response: vec4f, shadow: vec4f, sum: ColoredResponse) -> ColoredResponse {
+    let weight = composite_batch.weights[index];
+    let seen = response.xy * select(vec2f(1.0), share_seen(shadow), weight.w == 1.0);
+    return ColoredResponse(sum.irradiance + weight.xyz * seen.x, sum.specular + weight.xyz * seen.y);
 }
 
-fn weighed(index: u32, response: vec4f, sum: ColoredResponse) -> ColoredResponse {
-    let weight = composite_batch.weights[index].xyz;
-    return ColoredResponse(sum.irradiance + weight * response.x, sum.specular + weight * response.y);
+// Of E and of S, from the sums of `shadow.wgsl`. Where no ray says anything of S, it is as E; where none says anything
+// at all, the light is seen.
+fn share_seen(sums: vec4f) -> vec2f {
+    let diffuse = select(1.0, sums.x / sums.y, sums.y > 0.0);
+    return vec2f(diffuse, select(diffuse, sums.z / sums.w, sums.w > 0.0));
 }
 
 // Radiance of the nearest emitter in front of the surface; w is 1 where there is one. As `render::emitters`: what does

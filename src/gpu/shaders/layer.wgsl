@@ -24,19 +24,18 @@ fn layer_of_other_lobes(@builtin(position) pixel: vec4f) -> @location(0) vec2f {
 }
 
 fn shade(p: vec3f, normal: vec4f) -> vec2f {
-    let n = normal.xyz;
-    let lobe = u32(normal.w);
-    let v = -normalize(p);
-    let along_normal = dot(n, v) * n;
-    var r = 2.0 * along_normal - v;
-    var factor = 1.0;
-    if lobes[lobe].model == LAFORTUNE {
-        let factors = lobes[lobe].parameters;
-        let q = factors.x * (v - along_normal) + factors.y * along_normal;
-        let square = max(dot(q, q), 1e-30);
-        r = q * inverseSqrt(square);
-        factor = power(square, 0.5 * lobes[lobe].exponent);
+    let at = shading_at(p, normal);
+    let response = respond(at);
+    return vec2f(response.irradiance, lobe_factor(at) * response.specular);
+}
+
+// Of Lafortune's lobe; 1 of others.
+fn lobe_factor(at: Shading) -> f32 {
+    if lobes[at.lobe].model != LAFORTUNE {
+        return 1.0;
     }
-    let response = respond(Shading(p, n, r, lobe));
-    return vec2f(response.irradiance, factor * response.specular);
+    let v = -normalize(at.p);
+    let along_normal = dot(at.n, v) * at.n;
+    let q = lafortune_axis(at.lobe, v - along_normal, along_normal);
+    return power(max(dot(q, q), 1e-30), 0.5 * lobes[at.lobe].exponent);
 }
