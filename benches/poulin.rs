@@ -114,7 +114,7 @@ fn patch() -> Shape {
         let middle = [column, row].iter().filter(|i| (1..=2).contains(*i)).count();
         DVec3::new(along(column), along(row), 0.25 * middle as f64)
     };
-    Shape::Patch { control_points: std::array::from_fn(point) }
+    Shape::Patch { control_points: Box::new(std::array::from_fn(point)) }
 }
 
 /// A primitive 1 m above a plane, and these lights 5 m above it.

@@ -78,7 +78,7 @@ fn occluders() -> Vec<(&'static str, Shape)> {
         ("sphere", Shape::Sphere { radius: 0.6 }),
         ("cylinder", Shape::Cylinder { radius: 0.5, height: 1.1 }),
         ("cone", Shape::Cone { radius: 0.6, height: 1.2 }),
-        ("patch", Shape::Patch { control_points: std::array::from_fn(bent) }),
+        ("patch", Shape::Patch { control_points: Box::new(std::array::from_fn(bent)) }),
         ("sphereflake", Shape::Sphereflake { depth: 2 }),
         ("tetrahedron", Shape::Tetrahedron { depth: 2 }),
     ]

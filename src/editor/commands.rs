@@ -245,7 +245,7 @@ impl SurfaceKind {
     fn shape(self) -> Option<surface::Shape> {
         Some(match self {
             Self::Mesh => return None,
-            Self::Patch => surface::Shape::Patch { control_points: edits::sail() },
+            Self::Patch => surface::Shape::Patch { control_points: Box::new(edits::sail()) },
             Self::Plane => surface::Shape::Plane {},
             Self::Sphere => surface::Shape::Sphere { radius: 0.5 },
             Self::Box => surface::Shape::Box { size: glam::DVec3::ONE },

@@ -193,5 +193,5 @@ fn a_balls_shadow_has_a_dark_core_and_grows_lighter_outward_on_both_sides_alike(
 fn a_soft_shadow_does_not_depend_on_the_number_of_threads() {
     let one = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
     let three = rayon::ThreadPoolBuilder::new().num_threads(3).build().unwrap();
-    assert!(one.install(|| shadow_of_a_ball()) == three.install(|| shadow_of_a_ball()), "pictures differ");
+    assert!(one.install(shadow_of_a_ball) == three.install(shadow_of_a_ball), "pictures differ");
 }

@@ -139,7 +139,7 @@ fn vector<'a>(words: impl Iterator<Item = &'a str>, what: &str) -> Result<DVec3,
     let mut vector = DVec3::ZERO;
     let mut count = 0;
     for (i, word) in words.take(3).enumerate() {
-        let number: f64 = word.parse().map_err(|_| format!("`{}` is no number", shown(word)))?;
+        let number: f64 = word.parse().ok().ok_or_else(|| format!("`{}` is no number", shown(word)))?;
         if !(number.is_finite() && number.abs() <= FARTHEST) {
             return Err(format!("`{}` is too large; write a number of metres up to 1e9", shown(word)));
         }

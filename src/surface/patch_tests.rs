@@ -158,7 +158,7 @@ fn a_patch_without_area_or_a_ray_without_direction_gives_nothing() {
 
 #[test]
 fn a_placed_patch_falls_into_triangles_as_fine_as_asked_for() {
-    let shape = Shape::Patch { control_points: eighth().control_points };
+    let shape = Shape::Patch { control_points: Box::new(eighth().control_points) };
     let surface = Surface {
         name: "eighth".to_owned(),
         material: "clay".to_owned(),

@@ -74,7 +74,7 @@ impl Placed {
                 };
                 sphereflake(depth).into_iter().map(sphere).collect()
             }
-            Shape::Patch { control_points } => whole(Primitive::Patch(Arc::new(Patch::new(control_points)))),
+            Shape::Patch { ref control_points } => whole(Primitive::Patch(Arc::new(Patch::new(**control_points)))),
             Shape::Mesh(ref mesh) => Self::triangles(&world_from_surface, &mesh.triangles),
             Shape::Tetrahedron { depth } => Self::triangles(&world_from_surface, &tetrahedron(depth)),
         }

@@ -62,7 +62,7 @@ pub enum Shape {
     Patch {
         /// In rows of four, metres.
         #[schemars(with = "[[f64; 3]; 16]")]
-        control_points: [DVec3; 16],
+        control_points: Box<[DVec3; 16]>,
     },
     /// A triangle mesh in a file.
     Mesh(Mesh),

@@ -291,7 +291,7 @@ fn what_one_half_plane_hides_and_what_the_other_hides_is_all() {
         let [left, right, both] =
             [vec![half(-1.0)], vec![half(1.0)], vec![half(-1.0), half(1.0)]].map(|surfaces| objects(&surfaces));
         for m in [1.0, 8.0, 33.0, 20.5] {
-            let whole = shaded(&[light.clone()], &at, m);
+            let whole = shaded(std::slice::from_ref(&light), &at, m);
             let [left, right, both] = [&left, &right, &both].map(|objects| shaded_seen(objects, &light, &at, m));
             for part in [0, 1] {
                 let off = (left[part] + right[part] - whole[part] - both[part]).abs();

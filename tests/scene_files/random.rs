@@ -153,7 +153,7 @@ fn any_surface() -> impl Strategy<Value = Surface> {
         size().prop_map(|[radius, height, _]| surface::Shape::Cone { radius, height }),
         (0..=surface::MOST_FLAKE_DEPTH).prop_map(|depth| surface::Shape::Sphereflake { depth }),
         (0..=surface::MOST_TETRAHEDRON_DEPTH).prop_map(|depth| surface::Shape::Tetrahedron { depth }),
-        control_points().prop_map(|control_points| surface::Shape::Patch { control_points }),
+        control_points().prop_map(|control_points| surface::Shape::Patch { control_points: Box::new(control_points) }),
         file_name("obj").prop_map(|file| surface::Shape::Mesh(Mesh { file, ..mesh() })),
     ];
     (name(), vector(), vector(), size(), shape).prop_map(|(name, position, rotation_deg, scale, shape)| Surface {

@@ -241,7 +241,7 @@ fn patches() -> impl Strategy<Value = Shape> {
             let (row, column) = ((i / 4) as f64, (i % 4) as f64);
             DVec3::new(column / 1.5 - 1.0, row / 1.5 - 1.0, 0.0) + bends[i]
         };
-        Shape::Patch { control_points: std::array::from_fn(point) }
+        Shape::Patch { control_points: Box::new(std::array::from_fn(point)) }
     })
 }
 
