@@ -210,7 +210,7 @@ fn straight_line(x: &[f64], y: &[f64]) -> (f64, f64) {
 // Tables II and III.
 
 /// Pixels and rounds of tables II and III.
-const SIZE_2: [u32; 2] = [120, 90];
+const SIZE_2: [u32; 2] = [240, 180];
 const ROUNDS_2: u32 = 2;
 
 const DATABASES: [&str; 2] = ["flakes", "tetrahedron"];
