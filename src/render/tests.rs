@@ -1,8 +1,15 @@
 use std::f64::consts::{FRAC_1_PI, PI};
 
+use std::sync::Arc;
+
 use super::*;
-use crate::light::{Directional, Light, Quantity, QuantityKind, Shape as LightShape, Sphere, Tint};
+use crate::light::pattern::{Channel, Image, Pattern};
+use crate::light::{
+    Cap, Directional, Disk, Light, Line, Point, Polygon, Quantity, QuantityKind, Shape as LightShape, Sky, Sphere,
+    Textured, Tint,
+};
 use crate::surface::{Material, ReflectionModel, Shape, Surface};
+use crate::visibility::Structure;
 
 const SIZE: [u32; 2] = [70, 50];
 
@@ -194,4 +201,63 @@ fn a_soft_shadow_does_not_depend_on_the_number_of_threads() {
     let one = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
     let three = rayon::ThreadPoolBuilder::new().num_threads(3).build().unwrap();
     assert!(one.install(shadow_of_a_ball) == three.install(shadow_of_a_ball), "pictures differ");
+}
+
+/// One of each light, above a flake, a tetrahedron, a box and a floor.
+fn everything() -> Scene {
+    let mut scene = furnace(1000.0, DVec3::splat(0.5));
+    let surface = |name: &str, position, shape| Surface {
+        name: name.to_owned(),
+        rotation_deg: DVec3::new(10.0, 20.0, 30.0),
+        position,
+        shape,
+        ..scene.surfaces[0].clone()
+    };
+    let solids = [
+        surface("flake", DVec3::new(-1.0, 0.0, 0.8), Shape::Sphereflake { depth: 1 }),
+        surface("tetrahedron", DVec3::new(1.0, 0.0, 0.5), Shape::Tetrahedron { depth: 2 }),
+        surface("box", DVec3::new(0.0, 1.0, 0.5), Shape::Box { size: DVec3::new(0.5, 0.7, 1.2) }),
+    ];
+    scene.surfaces.extend(solids);
+    let square = [[-0.5, -0.5], [0.5, -0.5], [0.5, 0.5], [-0.5, 0.5]].map(DVec2::from).to_vec();
+    let checks = Channel::new(2, vec![1.0, 0.2, 0.2, 1.0]).expect("four texels");
+    let pattern = Pattern::of_image("checks.png", Image::Grey(Arc::new(checks)));
+    let shapes = [
+        LightShape::Line(Line::isotropic(2.0)),
+        LightShape::Line(Line::tube(1.0, 0.01)),
+        LightShape::Polygon(Polygon { vertices: square, two_sided: false }),
+        LightShape::Disk(Disk { radius: 0.5, two_sided: false }),
+        LightShape::Sphere(Sphere { radius: 0.2 }),
+        LightShape::Textured(Textured { size: DVec2::ONE, pattern, two_sided: false }),
+        LightShape::Cap(Cap { half_angle_deg: 10.0 }),
+        LightShape::Sky(Sky::OVERCAST),
+        LightShape::Point(Point {}),
+    ];
+    let lights = shapes.into_iter().enumerate().map(|(i, shape)| Light {
+        position: DVec3::new(i as f64 - 4.0, 0.5, 3.0),
+        rotation_deg: DVec3::new(15.0, 0.0, 10.0 * i as f64),
+        ..Light::new(format!("{i}"), shape)
+    });
+    scene.lights.extend(lights);
+    scene
+}
+
+#[test]
+fn whatever_finds_the_objects_the_picture_is_the_same_to_the_last_bit() {
+    let scene = everything();
+    let picture = |structures: Structures| {
+        let shadows = Shadows::Cast(structures);
+        let settings = Settings { size: [24, 16], choice: MethodChoice::Approx, samples: 1, shadows };
+        render(&scene, &settings, &Progress::default()).unwrap()
+    };
+    let every = picture(Structure::Every.into());
+    for name in
+        ["hierarchy", "grid-1", "grid-7", "grid-30", "light-buffer-1", "light-buffer-72", "grid-5/light-buffer-9"]
+    {
+        let film = picture(name.parse().unwrap());
+        assert!(film == every, "{name} shows what testing every object shows");
+    }
+    let settings = Settings { size: [24, 16], choice: MethodChoice::Approx, samples: 1, shadows: Shadows::None };
+    let unshadowed = render(&scene, &settings, &Progress::default()).unwrap();
+    assert!(every != unshadowed, "something is in shadow");
 }
