@@ -107,7 +107,7 @@ fn in_boxes(items: Vec<Item>) -> (Vec<Item>, u32, Vec<BoxNode>) {
 }
 
 /// How far the triangles that stand for a patch may be from it, as a share of its size.
-const PATCH_ERROR: f64 = 2e-4;
+const PATCH_ERROR: f64 = 1e-4;
 
 impl Items {
     /// The parts of surfaces. Those of no thickness at all are left out: no ray meets them.

@@ -3,6 +3,7 @@
 use wgpu::util::DeviceExt as _;
 
 use super::shader::Source;
+use super::types::f32_of;
 
 /// A texture that one pass writes and another reads.
 #[derive(Clone, Debug)]
@@ -158,6 +159,13 @@ pub(crate) fn run(
     run_over(encoder, pipeline, groups, targets, wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT), None);
 }
 
+/// Viewports of this size are allowed on every device.
+const LARGEST_VIEWPORT: u32 = 8192;
+/// How much larger than twice the picture a viewport is, so that its triangle's long side stays clear of the picture.
+const MARGIN: u32 = 128;
+/// Passes over a part of the rows begin at a multiple of this.
+pub(crate) const BLOCK: u32 = 4;
+
 /// Runs a pipeline on `targets`, which hold what `load` says before: on the part `[x, y, width, height]`, or on every
 /// pixel.
 pub(crate) fn run_over(
@@ -188,5 +196,14 @@ pub(crate) fn run_over(
     for (index, group) in (0..).zip(groups) {
         pass.set_bind_group(index, *group, &[]);
     }
-    pass.draw(0..3, 0..1);
+    // No edge of the triangle crosses the picture, not even where a driver clips it: at blocks of pixels that are only partly
+    // inside of a triangle, Mesa's llvmpipe ends nested loops too early.
+    let size = targets.first().map_or([0, 0], |view| [view.texture().width(), view.texture().height()]);
+    let [width, height] = size.map(|side| side.saturating_mul(2).saturating_add(MARGIN));
+    if width.max(height) <= LARGEST_VIEWPORT {
+        pass.set_viewport(0.0, 0.0, f32_of(width.into()), f32_of(height.into()), 0.0, 1.0);
+        pass.draw(0..3, 0..1);
+    } else {
+        pass.draw(3..6, 0..1);
+    }
 }

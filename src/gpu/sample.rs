@@ -170,10 +170,10 @@ impl Sample {
         }
         let mut left = (u32::try_from(later.len()).unwrap_or(u32::MAX).saturating_mul(height)).div_ceil(wanted.bands);
         for piece in later.into_iter().filter(|piece| !self.progress(*piece).is_done()).collect::<Vec<_>>() {
-            let rows = left.min(height - self.progress(piece).rows);
+            let rows = left.next_multiple_of(pass::BLOCK).min(height - self.progress(piece).rows);
             if rows > 0 {
                 self.draw(device, encoder, passes, wanted, (piece, rows), stats);
-                left -= rows;
+                left = left.saturating_sub(rows);
                 changed = true;
             }
         }

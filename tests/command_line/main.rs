@@ -367,11 +367,11 @@ fn a_plot_as_csv_has_the_values_of_probe() {
     for row in [reference[0], reference[reference.len() / 2]] {
         assert!(number(row[4]).abs() <= number(row[5]) + 1e-9 * number(row[3]), "{row:?}");
     }
-    // The plot tilts a probe that is seen along its normal; its lights' tints are left out.
+    // The plot tilts a probe that is seen along its normal; its lights' tints are left out, and shadows.
     let middle = exact[exact.len() / 2];
     let at = softbox::analysis::probe(plot, number(middle[1]));
     let [p, n, v] = [at.p, at.n, at.v].map(|v| format!("{},{},{}", v.x, v.y, v.z));
-    let rows = answer(&probe(PLOTTED, &format!("{POINTS_HEADER}\n{p},{n},{v}\n"), &[]));
+    let rows = answer(&probe(PLOTTED, &format!("{POINTS_HEADER}\n{p},{n},{v}\n"), &["--no-shadows"]));
     let rgb = &rows[0].1[3..6];
     let luminance = softbox::light::luminance_of(glam::DVec3::new(rgb[0], rgb[1], rgb[2]));
     assert!((luminance / number(middle[3]) - 1.0).abs() < 1e-9, "{luminance} lx is not {}", middle[3]);
