@@ -5,7 +5,8 @@
 //! that only where the light's outline ends a side some of it is left, of the third order in x.
 //!
 //! **Accuracy:** 1e-4 of random points of lights, seen past one to four random solids, lie between the two outlines
-//! (`closed_form::polygon_shadows`).
+//! (`closed_form::polygon_shadows`). The share of E that is seen past one of them is within 7e-5 of that by 32 times as
+//! many sides, over 200 points each of `benches/shadows.rs` with a rectangle and with a narrow light.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -15,14 +16,14 @@ use super::clip::HalfSpace;
 use super::shadow::{Face, Regions, View};
 use crate::surface::ON_SURFACE;
 
-/// Sides of the outline of something that appears as large as the light.
+/// Sides of the outline of something that appears as large as the light is wide.
 const SIDES: f64 = 48.0;
 
 /// Sides of the outline of the largest.
 const MOST_SIDES: f64 = 256.0;
 
-/// How many sides an outline is given that appears `magnification` ≥ 1 times as large as the light: its corners are within
-/// 0.0015 of the light's own radius, up to 28 times its size.
+/// How many sides an outline is given that appears `magnification` ≥ 1 times as large as the light is wide: its corners are
+/// within 0.0015 of that width, up to 28 times it.
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "from 48 to 256")]
 pub(super) fn sides(magnification: f64) -> usize {
     (SIDES * magnification.sqrt()).clamp(SIDES, MOST_SIDES) as usize

@@ -70,12 +70,19 @@ impl Light {
         center.dot(self.center) >= a * b * (cosine_a * cosine_b - sine_a * sine_b) * (1.0 - 1e-12)
     }
 
-    /// How much larger a round thing appears than the light, at least 1.
+    /// How much larger a round thing appears than the light is wide on average, at least 1.
+    ///
+    /// It appears by its nearest point, be p outside it or in it; nearer than [`NEAREST`] radii it grows no more.
     fn magnification(&self, center: DVec3, radius: f64) -> f64 {
-        let distance = (center.length() - radius).max(radius);
-        (radius * self.center.length() / (self.radius * distance)).max(1.0)
+        let length = self.center.length();
+        let width = 0.5 * self.area / self.radius * (self.height / length);
+        let distance = (center.length() - radius).abs().max(NEAREST * radius);
+        (radius * length / (width * distance)).max(1.0)
     }
 }
+
+/// How near to a round thing, in its radii, its outline still gains sides.
+const NEAREST: f64 = 0.05;
 
 /// What an occluder hides of the light.
 #[derive(Clone, Debug)]
