@@ -1,5 +1,7 @@
 //! Shadows: the GPU's rays tend to the CPU's shadows, and follow change.
 
+use std::path::Path;
+
 use glam::DVec3;
 use softbox::gpu::{Pixels, Preview, Stats, View};
 use softbox::render::{Film, MethodChoice, Progress, Settings, Shadows, render};
@@ -68,6 +70,26 @@ const BIAS: f64 = 5e-4;
 
 fn is_within(difference: &Difference) -> bool {
     difference.levels <= NOISE && difference.bias.abs() <= BIAS
+}
+
+#[test]
+fn shadows_of_every_preset_scene_look_the_same() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("presets/scenes");
+    let mut paths: Vec<_> =
+        folder.read_dir().expect("there are presets").map(|entry| entry.expect("a preset").path()).collect();
+    paths.retain(|path| path.extension().is_some_and(|extension| extension == "toml"));
+    paths.sort();
+    assert!(!paths.is_empty(), "there are preset scenes");
+    let mut worst = Vec::new();
+    for path in paths {
+        let scene = scene::load(&path).expect("the preset loads");
+        let difference = difference(&scene, &on_cpu(&scene, Shadows::default()), &on_gpu(&scene, &view(&scene)));
+        println!("{}: {difference:.4?}", path.display());
+        if !is_within(&difference) {
+            worst.push((path, difference));
+        }
+    }
+    assert!(worst.is_empty(), "{worst:#.4?}");
 }
 
 #[test]
