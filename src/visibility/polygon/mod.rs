@@ -27,7 +27,7 @@ pub enum Seen {
     Pieces(Vec<Vec<DVec3>>),
     /// All but these pieces, which do not overlap.
     AllBut(Vec<Vec<DVec3>>),
-    /// What cannot be told here: a bicubic patch may hide some of it, or there are too many pieces.
+    /// What is not told here: a bicubic patch may hide some of it, or there are too many pieces or shadows.
     Unknown,
 }
 
@@ -37,6 +37,10 @@ const FEW: usize = 8;
 
 /// With less of the light to be seen than this share, what is seen is cut out and not had as a difference.
 const LEAST_SHARE: f64 = 1e-3;
+
+/// More shadows than these are left to rays where the light is not convex: the edges that join its pieces would be cut over
+/// and over.
+const MOST_OF_CONCAVE: usize = 4;
 
 /// Beyond this many pieces rays are as good, and cheaper.
 const MOST_PIECES: usize = 256;
@@ -61,6 +65,9 @@ pub fn visible_pieces(objects: &Objects, p: DVec3, n: DVec3, polygon: &[DVec3]) 
     if shadows.is_empty() {
         return Seen::All;
     }
+    if shadows.len() > MOST_OF_CONCAVE && !is_convex(polygon) {
+        return Seen::Unknown;
+    }
     shadows.sort();
     if shadows.len() <= FEW {
         let hidden = hidden_pieces(&shadows, &mut clipper);
@@ -74,6 +81,14 @@ pub fn visible_pieces(objects: &Objects, p: DVec3, n: DVec3, polygon: &[DVec3]) 
         Some(pieces) if pieces.is_empty() => Seen::Nothing,
         Some(pieces) => Seen::Pieces(plain(pieces)),
     }
+}
+
+/// Whether a planar polygon turns to one side only.
+fn is_convex(polygon: &[DVec3]) -> bool {
+    let area = polygon.windows(2).map(|edge| (edge[0] - polygon[0]).cross(edge[1] - polygon[0])).sum::<DVec3>();
+    let corner = |i: usize| polygon[i % polygon.len()];
+    let turn = |i: usize| (corner(i + 1) - corner(i)).cross(corner(i + 2) - corner(i + 1)).dot(area);
+    (0..polygon.len()).all(|i| turn(i) >= 0.0)
 }
 
 /// The shadows without their overlaps: each without those before it.
