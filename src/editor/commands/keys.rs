@@ -1,0 +1,105 @@
+//! The keys of commands.
+
+use egui::{Key, KeyboardShortcut, Modifiers};
+
+use super::Command;
+use crate::editor::app::App;
+use crate::editor::session::Tool;
+
+impl Command {
+    /// All commands that have a key, in the order of the list of keys.
+    pub const KEYED: &[Self] = &[
+        Self::New,
+        Self::Open,
+        Self::Save,
+        Self::SaveAs,
+        Self::Quit,
+        Self::Undo,
+        Self::Redo,
+        Self::Duplicate,
+        Self::Delete,
+        Self::SelectAll,
+        Self::Tool(Tool::Move),
+        Self::Tool(Tool::Rotate),
+        Self::Tool(Tool::Scale),
+        Self::Tool(Tool::Polygon),
+        Self::Tool(Tool::Line),
+        Self::Tool(Tool::Sphere),
+        Self::Focus,
+        Self::FrameAll,
+        Self::ToggleShadows,
+        Self::ToggleSnap,
+        Self::Keys,
+    ];
+
+    /// Its key.
+    pub fn shortcut(&self) -> Option<KeyboardShortcut> {
+        const CTRL_SHIFT: Modifiers = Modifiers::COMMAND.plus(Modifiers::SHIFT);
+        let (modifiers, key) = match self {
+            Self::New => (Modifiers::COMMAND, Key::N),
+            Self::Open => (Modifiers::COMMAND, Key::O),
+            Self::Save => (Modifiers::COMMAND, Key::S),
+            Self::SaveAs => (CTRL_SHIFT, Key::S),
+            Self::Quit => (Modifiers::COMMAND, Key::Q),
+            Self::Undo => (Modifiers::COMMAND, Key::Z),
+            Self::Redo => (CTRL_SHIFT, Key::Z),
+            Self::Duplicate => (Modifiers::COMMAND, Key::D),
+            Self::Delete => (Modifiers::NONE, Key::Delete),
+            Self::SelectAll => (Modifiers::COMMAND, Key::A),
+            Self::Tool(Tool::Move) => (Modifiers::NONE, Key::W),
+            Self::Tool(Tool::Rotate) => (Modifiers::NONE, Key::E),
+            Self::Tool(Tool::Scale) => (Modifiers::NONE, Key::R),
+            Self::Tool(Tool::Polygon) => (Modifiers::NONE, Key::P),
+            Self::Tool(Tool::Line) => (Modifiers::NONE, Key::L),
+            Self::Tool(Tool::Sphere) => (Modifiers::NONE, Key::O),
+            Self::Focus => (Modifiers::NONE, Key::F),
+            Self::FrameAll => (Modifiers::NONE, Key::A),
+            Self::ToggleShadows => (Modifiers::NONE, Key::H),
+            Self::ToggleSnap => (Modifiers::NONE, Key::G),
+            Self::Keys => (Modifiers::NONE, Key::F1),
+            _ => return None,
+        };
+        Some(KeyboardShortcut::new(modifiers, key))
+    }
+
+    /// Whether its key means the same while text is edited.
+    fn works_while_typing(&self) -> bool {
+        matches!(self, Self::New | Self::Open | Self::Save | Self::SaveAs | Self::Quit | Self::Keys)
+    }
+}
+
+/// Run the commands whose keys were pressed. While text is edited, most keys belong to the text.
+pub fn run_shortcuts(app: &mut App, ctx: &egui::Context) {
+    let typing = ctx.egui_wants_keyboard_input();
+    let pressed: Vec<&Command> = ctx.input_mut(|input| {
+        // Those with more modifiers first, since a key with fewer would match too.
+        let mut keyed: Vec<_> = Command::KEYED.iter().filter_map(|c| c.shortcut().map(|s| (c, s))).collect();
+        keyed.sort_by_key(|(_, shortcut)| std::cmp::Reverse(shortcut.modifiers.shift));
+        keyed.retain(|(command, s)| (!typing || command.works_while_typing()) && input.consume_shortcut(s));
+        keyed.into_iter().map(|(command, _)| command).collect()
+    });
+    for command in pressed {
+        if command.enabled(&app.session) {
+            command.clone().run(app, ctx);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::editor::session::Session;
+    use crate::scene::Scene;
+
+    #[test]
+    fn every_keyed_command_has_a_label_and_a_key_of_its_own() {
+        let session = Session::new(Scene::default(), None);
+        let mut keys = Vec::new();
+        for command in Command::KEYED {
+            assert!(!command.label(&session).is_empty(), "{command:?} has no label");
+            let shortcut = command.shortcut().expect("a keyed command has a key");
+            assert!(!keys.contains(&shortcut), "{shortcut:?} of {command:?} is taken");
+            keys.push(shortcut);
+        }
+    }
+}

@@ -1,0 +1,154 @@
+//! What commands are called, and what they mean.
+
+use super::{Command, upper_first};
+use crate::editor::edits;
+use crate::editor::session::{Session, Tool};
+
+/// A heading of the list of keys and of the palette.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Category {
+    /// Documents.
+    File,
+    /// The selection, and steps taken back.
+    Edit,
+    /// New lights.
+    Light,
+    /// What else is added to a scene.
+    Add,
+    /// What the mouse does.
+    Tool,
+    /// What the viewport shows.
+    View,
+    /// The program itself.
+    Window,
+}
+
+impl Category {
+    /// All of them, in the order in which they are listed.
+    pub const ALL: [Self; 7] = [Self::File, Self::Edit, Self::Light, Self::Add, Self::Tool, Self::View, Self::Window];
+
+    /// What it is called.
+    pub fn label(self) -> &'static str {
+        match self {
+            Self::File => "File",
+            Self::Edit => "Edit",
+            Self::Light => "Lights",
+            Self::Add => "Add",
+            Self::Tool => "Tools",
+            Self::View => "View",
+            Self::Window => "Window",
+        }
+    }
+}
+
+impl Command {
+    /// What it is called in menus, the list of keys and tooltips.
+    pub fn label(&self, session: &Session) -> String {
+        let with = |verb: &str, step: Option<&str>| match step {
+            Some(step) => format!("{verb} {}", lower_first(step)),
+            None => verb.to_owned(),
+        };
+        match self {
+            Self::Undo => with("Undo", session.history.undo_label()),
+            Self::Redo => with("Redo", session.history.redo_label()),
+            Self::OpenFile(path) => path.display().to_string(),
+            Self::OpenExample(preset) | Self::InsertPreset(preset) => preset.title(),
+            Self::AddLight(kind) => kind.label().to_owned(),
+            Self::AddSurface(kind) => kind.label(),
+            Self::AddPlot(kind) => upper_first(edits::kind_name(*kind)),
+            Self::Method(method) => method.to_string(),
+            Self::ToggleTheme => "Switch dark/light theme".to_owned(),
+            _ => self.fixed_label().to_owned(),
+        }
+    }
+
+    /// The labels that depend on nothing.
+    fn fixed_label(&self) -> &'static str {
+        match self {
+            Self::New => "New",
+            Self::Open => "Open…",
+            Self::Save => "Save",
+            Self::SaveAs => "Save as…",
+            Self::Quit => "Quit",
+            Self::Duplicate => "Duplicate",
+            Self::Delete => "Delete",
+            Self::SelectAll => "Select all",
+            Self::SelectNone => "Select none",
+            Self::AddMaterial => "Material",
+            Self::ReplacePattern(_) | Self::ReplaceMesh(_) => "Replace…",
+            Self::Tool(Tool::Move) => "Move",
+            Self::Tool(Tool::Rotate) => "Rotate",
+            Self::Tool(Tool::Scale) => "Scale",
+            Self::Tool(Tool::Polygon) => "Draw polygon",
+            Self::Tool(Tool::Line) => "Draw line",
+            Self::Tool(Tool::Sphere) => "Draw sphere",
+            Self::Focus => "Focus selection",
+            Self::FrameAll => "Show all",
+            Self::ResetView => "View through scene camera",
+            Self::SaveView => "Make view the scene camera",
+            Self::ToggleEmitters => "Show lights",
+            Self::ToggleShadows => "Show shadows",
+            Self::ToggleGrid => "Show grid",
+            Self::ToggleSnap => "Snap to grid",
+            Self::ResetLayout => "Reset layout",
+            Self::Keys => "Keys",
+            _ => "",
+        }
+    }
+
+    /// What it means, where the label does not say all.
+    pub fn hint(&self) -> Option<&'static str> {
+        match self {
+            Self::AddLight(kind) => Some(kind.hint()),
+            Self::AddSurface(kind) => kind.hint(),
+            _ => None,
+        }
+    }
+
+    /// Under which heading the list of keys and the palette have it.
+    pub fn category(&self) -> Category {
+        match self {
+            Self::New
+            | Self::Open
+            | Self::OpenFile(_)
+            | Self::OpenExample(_)
+            | Self::Save
+            | Self::SaveAs
+            | Self::Quit => Category::File,
+            Self::Undo | Self::Redo | Self::Duplicate | Self::Delete | Self::SelectAll | Self::SelectNone => {
+                Category::Edit
+            }
+            Self::AddLight(_) | Self::ReplacePattern(_) | Self::InsertPreset(_) => Category::Light,
+            Self::AddSurface(_) | Self::ReplaceMesh(_) | Self::AddMaterial | Self::AddPlot(_) => Category::Add,
+            Self::Tool(_) | Self::ToggleSnap => Category::Tool,
+            Self::Method(_)
+            | Self::Focus
+            | Self::FrameAll
+            | Self::ResetView
+            | Self::SaveView
+            | Self::ToggleEmitters
+            | Self::ToggleShadows
+            | Self::ToggleGrid => Category::View,
+            Self::ResetLayout | Self::ToggleTheme | Self::Keys => Category::Window,
+        }
+    }
+}
+
+fn lower_first(text: &str) -> String {
+    let mut chars = text.chars();
+    chars.next().map_or_else(String::new, |first| first.to_lowercase().chain(chars).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::Scene;
+
+    #[test]
+    fn undo_names_the_step_it_would_take_back() {
+        let mut session = Session::new(Scene::default(), None);
+        assert!(!Command::Undo.enabled(&session), "nothing to undo");
+        session.add_material();
+        assert_eq!(Command::Undo.label(&session), "Undo add material", "label");
+    }
+}

@@ -1,0 +1,202 @@
+//! Everything that can be done by menu, key, toolbar or palette: one list, so that all agree.
+//!
+//! A new command is a variant here with what it does ([`Command::run`]), its name and heading in `labels`, and its key, if
+//! it has one, in `keys`.
+
+mod keys;
+mod kinds;
+mod labels;
+
+pub use keys::run_shortcuts;
+pub use kinds::{LightKind, SurfaceKind};
+pub use labels::Category;
+
+use std::path::PathBuf;
+
+use super::app::App;
+use super::edits;
+use super::files::Then;
+use super::presets::Preset;
+use super::session::{Framing, Item, Session, Tool};
+use crate::analysis::methods_for;
+use crate::scene::{PlotKind, Scene};
+use crate::shading::Method;
+
+/// Something the user can ask for.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Command {
+    /// Start an empty document.
+    New,
+    /// Choose a scene to open.
+    Open,
+    /// Open that scene.
+    OpenFile(PathBuf),
+    /// Open a scene that comes with the program.
+    OpenExample(Preset),
+    /// Write the document to its file.
+    Save,
+    /// Write the document to a file to be chosen.
+    SaveAs,
+    /// Close the window.
+    Quit,
+    /// Take back the last step.
+    Undo,
+    /// Do again what was taken back.
+    Redo,
+    /// Copy what is selected.
+    Duplicate,
+    /// Delete what is selected.
+    Delete,
+    /// Select all lights and surfaces.
+    SelectAll,
+    /// Select nothing.
+    SelectNone,
+    /// Add a light of a shape.
+    AddLight(LightKind),
+    /// Give the light of that name another pattern.
+    ReplacePattern(String),
+    /// Add the lights of a preset.
+    InsertPreset(Preset),
+    /// Add a surface.
+    AddSurface(SurfaceKind),
+    /// Give the surface of that name another mesh.
+    ReplaceMesh(String),
+    /// Add a material.
+    AddMaterial,
+    /// Add a plot.
+    AddPlot(PlotKind),
+    /// Take a tool.
+    Tool(Tool),
+    /// Shade the viewport by a method.
+    Method(Method),
+    /// Bring what is selected into view.
+    Focus,
+    /// Bring everything into view.
+    FrameAll,
+    /// Look through the scene's camera.
+    ResetView,
+    /// Make the view the scene's camera.
+    SaveView,
+    /// Show or hide the lights themselves.
+    ToggleEmitters,
+    /// Let surfaces cast shadows or not.
+    ToggleShadows,
+    /// Show or hide the ground grid.
+    ToggleGrid,
+    /// Switch grid snap.
+    ToggleSnap,
+    /// Put all panes where they were at first.
+    ResetLayout,
+    /// Switch between the dark and the light theme.
+    ToggleTheme,
+    /// Show the list of keys.
+    Keys,
+}
+
+/// The methods that the viewport offers: those of the scene's lights, `exact` first and `point` last. `reference` is left
+/// to plots, as it is far too slow for a picture.
+pub fn view_methods(scene: &Scene) -> Vec<Method> {
+    let mut methods = methods_for(scene);
+    methods.retain(|method| *method != Method::Reference);
+    methods
+}
+
+impl Command {
+    /// Whether it can be done now.
+    pub fn enabled(&self, session: &Session) -> bool {
+        match self {
+            Self::Undo => session.history.undo_label().is_some() || session.history.in_gesture(),
+            Self::Redo => session.history.redo_label().is_some(),
+            Self::Duplicate | Self::Delete | Self::Focus | Self::SelectNone => session.selection.primary().is_some(),
+            _ => true,
+        }
+    }
+
+    /// For what is on or off, or one of several: whether it is on.
+    pub fn checked(&self, session: &Session) -> Option<bool> {
+        match self {
+            Self::Tool(tool) => Some(session.tool == *tool),
+            Self::Method(method) => Some(session.view.method == *method),
+            Self::ToggleEmitters => Some(session.view.show_emitters),
+            Self::ToggleShadows => Some(session.view.show_shadows),
+            Self::ToggleGrid => Some(session.view.show_grid),
+            Self::ToggleSnap => Some(session.work_plane.snap),
+            _ => None,
+        }
+    }
+
+    /// Do it. An open gesture ends first, so that it stays a step of its own.
+    pub fn run(self, app: &mut App, ctx: &egui::Context) {
+        app.session.commit();
+        let session = &mut app.session;
+        match self {
+            Self::New => app.leave(ctx, Then::New),
+            Self::Open => app.leave(ctx, Then::Choose),
+            Self::OpenFile(path) => app.leave(ctx, Then::Open(path)),
+            Self::OpenExample(preset) => app.leave(ctx, Then::Example(preset)),
+            Self::Save => app.save(ctx),
+            Self::SaveAs => app.save_as(ctx),
+            Self::Quit => app.leave(ctx, Then::Quit),
+            Self::Undo => session.undo(),
+            Self::Redo => session.redo(),
+            Self::Duplicate => session.duplicate_selection(),
+            Self::Delete => session.delete_selection(),
+            Self::SelectAll => {
+                let scene = session.scene();
+                let lights = (0..scene.lights.len()).map(Item::Light);
+                let surfaces = (0..scene.surfaces.len()).map(Item::Surface);
+                session.selection.set(surfaces.chain(lights));
+            }
+            Self::SelectNone => session.selection.clear(),
+            Self::AddLight(kind) => match kind.shape() {
+                Some(shape) => session.add_light(edits::new_light(shape)),
+                None => app.choose_pattern(ctx, None),
+            },
+            Self::ReplacePattern(light) => app.choose_pattern(ctx, Some(light)),
+            Self::InsertPreset(preset) => app.insert_preset(preset),
+            Self::AddSurface(kind) => match kind.shape() {
+                Some(shape) => session.add_surface(shape),
+                None => app.choose_mesh(ctx, None),
+            },
+            Self::ReplaceMesh(surface) => app.choose_mesh(ctx, Some(surface)),
+            Self::AddMaterial => session.add_material(),
+            Self::AddPlot(kind) => session.add_plot(kind),
+            Self::Tool(tool) => session.tool = tool,
+            Self::Method(method) => session.view.method = method,
+            Self::Focus => session.framing = Some(Framing::Selection),
+            Self::FrameAll => session.framing = Some(Framing::All),
+            Self::ResetView => session.reset_view(),
+            Self::SaveView => session.save_view(),
+            Self::ToggleEmitters => session.view.show_emitters ^= true,
+            Self::ToggleShadows => session.view.show_shadows ^= true,
+            Self::ToggleGrid => session.view.show_grid ^= true,
+            Self::ToggleSnap => session.work_plane.snap ^= true,
+            Self::ResetLayout => app.reset_layout(),
+            Self::ToggleTheme => {
+                let other = if ctx.theme() == egui::Theme::Dark { egui::Theme::Light } else { egui::Theme::Dark };
+                ctx.set_theme(other);
+            }
+            Self::Keys => app.toggle_keys(),
+        }
+    }
+}
+
+fn upper_first(text: &str) -> String {
+    let mut chars = text.chars();
+    chars.next().map_or_else(String::new, |first| first.to_uppercase().chain(chars).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_view_offers_the_methods_of_the_scenes_lights_from_exact_to_point() {
+        assert_eq!(view_methods(&Scene::default()), [Method::Exact], "an empty scene");
+        let lights = LightKind::Sphere.shape().map(edits::new_light).into_iter().collect();
+        let methods = view_methods(&Scene { lights, ..Scene::default() });
+        assert_eq!(methods.first(), Some(&Method::Exact), "first");
+        assert_eq!(methods.last(), Some(&Method::Point), "last");
+        assert!(methods.contains(&Method::Hermite1) && !methods.contains(&Method::Reference), "{methods:?}");
+    }
+}
