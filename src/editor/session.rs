@@ -58,6 +58,8 @@ pub struct ViewState {
     pub show_emitters: bool,
     /// Surfaces cast shadows.
     pub show_shadows: bool,
+    /// A picture that stands still is smoothed; where not, its first look stays, which spares a slow machine.
+    pub refines: bool,
     /// Whether the ground grid is drawn.
     pub show_grid: bool,
 }
@@ -264,6 +266,7 @@ impl Session {
             method: Method::Exact,
             show_emitters: true,
             show_shadows: true,
+            refines: true,
             show_grid: true,
         };
         Self {

@@ -59,7 +59,12 @@ impl Window {
             .with_step_dt(1.0 / 30.0)
             .with_options(options())
             .wgpu()
-            .build_eframe(|cc| App::new(cc, open.as_deref(), Box::new(Scripted::default())));
+            .build_eframe(|cc| {
+                let mut app = App::new(cc, open.as_deref(), Box::new(Scripted::default()));
+                // Only what is looked at has to be smooth.
+                app.session.view.refines = false;
+                app
+            });
         let mut window = Self { harness, folder };
         window.settle();
         window
@@ -202,11 +207,13 @@ impl Window {
         Some((item, item.name(self.session().scene())?.to_owned()))
     }
 
-    /// Compare the window with a stored picture.
+    /// Compare the window, its picture smoothed, with a stored picture.
     pub(crate) fn snapshot(&mut self, name: &str) {
         self.harness.remove_cursor();
+        self.harness.state_mut().session.view.refines = true;
         self.settle();
         self.harness.snapshot(name);
+        self.harness.state_mut().session.view.refines = false;
     }
 }
 

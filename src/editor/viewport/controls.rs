@@ -66,6 +66,7 @@ fn toggles(ui: &mut Ui, session: &mut Session, overlays: &mut Overlays) {
         .ui(ui, |ui| {
             ui.checkbox(&mut session.view.show_emitters, "Emitters");
             ui.checkbox(&mut session.view.show_shadows, "Shadows");
+            ui.checkbox(&mut session.view.refines, "Refinement").on_hover_text("Smooth a picture that stands still");
             ui.checkbox(&mut session.view.show_grid, "Ground grid");
             ui.checkbox(&mut overlays.outlines, "Outlines and names");
             ui.checkbox(&mut overlays.probe, "Probe");

@@ -136,7 +136,7 @@ impl Viewport {
             exposure_ev: shown.display.exposure_ev,
             show_emitters: session.view.show_emitters,
             shadows: session.view.show_shadows,
-            refine: !self.pointer.is_dragging(),
+            refine: session.view.refines && !self.pointer.is_dragging(),
         };
         let texture = self.picture.render(&shown, &view, self.pointer.is_dragging());
         let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
