@@ -4,14 +4,13 @@ use egui::{Pos2, Vec2};
 use glam::{DAffine3, DMat3, DQuat, DVec2, DVec3};
 
 use super::subject::Subject;
-use super::{Handle, aim_reach};
+use super::{Handle, aim_reach, vertices};
 use crate::editor::tools::new_light::line_placement;
-use crate::editor::tools::polygon::is_simple;
 use crate::editor::tools::work_plane::{snapped, snapped_to};
 use crate::editor::viewport::projection::Projection;
 use crate::editor::viewport::ray::Ray;
 use crate::editor::viewport::symbol::Symbol;
-use crate::light::{Disk, Polygon, Shape, Sphere};
+use crate::light::{Disk, Shape, Sphere};
 use crate::math::frame;
 use crate::surface::Hit;
 
@@ -104,8 +103,8 @@ impl Drag {
                 let drag = self.pointer - self.grabbed_at;
                 pull.scaled(start, 2.0_f64.powf(f64::from(drag.x - drag.y) / DOUBLING), [0, 1, 2].as_slice())
             }
-            Handle::Vertex(i) => pull.vertex(start, i),
-            Handle::Edge(i) => pull.edge(start, i),
+            Handle::Vertex(i) => vertices::vertex(&pull, start, i),
+            Handle::Edge(i) => vertices::edge(&pull, start, i),
             Handle::End(i) => pull.end(start, i, projection),
             Handle::Frame(signs) => pull.frame(start, signs),
             Handle::Radius => pull.radius(start, projection),
@@ -117,7 +116,7 @@ impl Drag {
 }
 
 /// Where the pointer took hold and where it is, as rays.
-struct Pull {
+pub(super) struct Pull {
     rays: [Ray; 2],
     snap: Option<f64>,
 }
@@ -209,54 +208,15 @@ impl Pull {
         Some(Change::To(scaled))
     }
 
-    /// A polygon's vertex moved in its plane.
-    fn vertex(&self, start: &Subject, index: usize) -> Option<Change> {
-        self.reshaped(start, |polygon, world_from_light| {
-            let vertex = polygon.vertices.get(index)?;
-            let shift = self.shift_in_plane(world_from_light, *vertex)?;
-            let moved = self.snapped_in_plane(world_from_light, *vertex + shift);
-            *polygon.vertices.get_mut(index)? = moved;
-            Some(())
-        })
-    }
-
-    /// A polygon's edge moved along its normal, in its plane.
-    fn edge(&self, start: &Subject, index: usize) -> Option<Change> {
-        self.reshaped(start, |polygon, world_from_light| {
-            let next = (index + 1) % polygon.vertices.len().max(1);
-            let (a, b) = (*polygon.vertices.get(index)?, *polygon.vertices.get(next)?);
-            let normal = (b - a).perp().try_normalize()?;
-            let middle = a.midpoint(b);
-            let along_normal = |shift: DVec2| shift.dot(normal) * normal;
-            let shift = along_normal(self.shift_in_plane(world_from_light, middle)?);
-            let shift = along_normal(self.snapped_in_plane(world_from_light, middle + shift) - middle);
-            polygon.vertices[index] += shift;
-            polygon.vertices[next] += shift;
-            Some(())
-        })
-    }
-
-    /// A polygon changed by `change`, refused where it crosses itself.
-    fn reshaped(&self, start: &Subject, change: impl FnOnce(&mut Polygon, &DAffine3) -> Option<()>) -> Option<Change> {
-        let Subject::Light(light) = start else { return None };
-        let mut light = light.clone();
-        let world_from_light = light.world_from_light();
-        let Shape::Polygon(polygon) = &mut light.shape else { return None };
-        change(polygon, &world_from_light)?;
-        let simple = is_simple(&polygon.vertices);
-        let subject = Subject::Light(light);
-        Some(if simple { Change::To(subject) } else { Change::Refused(subject) })
-    }
-
     /// How far the pointer has moved in a light's own XY plane, held at `at`.
-    fn shift_in_plane(&self, world_from_light: &DAffine3, at: DVec2) -> Option<DVec2> {
+    pub(super) fn shift_in_plane(&self, world_from_light: &DAffine3, at: DVec2) -> Option<DVec2> {
         let p = world_from_light.transform_point3(at.extend(0.0));
         let shift = self.shift(p, world_from_light.matrix3.z_axis)?;
         Some((world_from_light.matrix3.transpose() * shift).truncate())
     }
 
     /// A point of a light's own XY plane on the grid: the world's where the plane is level, else the plane's own.
-    fn snapped_in_plane(&self, world_from_light: &DAffine3, at: DVec2) -> DVec2 {
+    pub(super) fn snapped_in_plane(&self, world_from_light: &DAffine3, at: DVec2) -> DVec2 {
         let Some(step) = self.snap else { return at };
         let level = world_from_light.matrix3.z_axis.truncate().length() < 1e-9;
         if !level {

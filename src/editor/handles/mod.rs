@@ -4,8 +4,10 @@
 //! A [`drag::Drag`] says what the thing becomes while one is dragged.
 
 pub mod drag;
+pub mod grip;
 mod paint;
 pub mod subject;
+pub mod vertices;
 
 pub use paint::{AXIS_COLORS, paint};
 
@@ -211,18 +213,7 @@ fn stretching(subject: &Subject) -> (&'static [usize], bool) {
 fn shape_spots(light: &light::Light, projection: &Projection, spots: &mut Vec<Spot>) {
     let world_from_light = light.world_from_light();
     match &light.shape {
-        light::Shape::Polygon(polygon) => {
-            let corners: Vec<DVec3> =
-                polygon.vertices.iter().map(|v| world_from_light.transform_point3(v.extend(0.0))).collect();
-            spots.extend(corners.iter().enumerate().filter_map(|(i, p)| dot(Handle::Vertex(i), *p, projection)));
-            let next = corners.iter().cycle().skip(1);
-            spots.extend(corners.iter().zip(next).enumerate().filter_map(|(i, (a, b))| {
-                let [on_a, on_b] = [projection.project(*a)?, projection.project(*b)?];
-                // No room between the vertices' dots: no handle.
-                let at = (on_a.distance(on_b) > 6.0 * REACH).then(|| projection.project(a.midpoint(*b))).flatten()?;
-                Some(Spot { handle: Handle::Edge(i), outline: Outline::Diamond(at) })
-            }));
-        }
+        light::Shape::Polygon(polygon) => vertices::spots(polygon, &world_from_light, projection, spots),
         light::Shape::Line(line) => {
             let half = 0.5 * line.length * DVec3::X;
             let ends = [-half, half].map(|p| world_from_light.transform_point3(p));

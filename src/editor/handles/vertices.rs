@@ -1,0 +1,96 @@
+//! Vertices and edges of polygons: where their handles are, what dragging and double-clicking them does.
+
+use glam::{DAffine3, DVec2, DVec3};
+
+use super::drag::{Change, Pull};
+use super::subject::Subject;
+use super::{Handle, Outline, REACH, Spot, dot};
+use crate::editor::tools::polygon::is_simple;
+use crate::editor::viewport::projection::Projection;
+use crate::light::{Light, Polygon, Shape};
+
+/// What a double click on a handle makes of its light.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Edited {
+    /// The light as it is to be, and what the step is called.
+    To(&'static str, Box<Light>),
+    /// It may not be, and why.
+    Refused(&'static str),
+}
+
+/// The handles on a polygon's vertices, then those on its edges.
+pub(super) fn spots(polygon: &Polygon, world_from_light: &DAffine3, projection: &Projection, spots: &mut Vec<Spot>) {
+    let corners: Vec<DVec3> =
+        polygon.vertices.iter().map(|v| world_from_light.transform_point3(v.extend(0.0))).collect();
+    spots.extend(corners.iter().enumerate().filter_map(|(i, p)| dot(Handle::Vertex(i), *p, projection)));
+    let next = corners.iter().cycle().skip(1);
+    spots.extend(corners.iter().zip(next).enumerate().filter_map(|(i, (a, b))| {
+        let [on_a, on_b] = [projection.project(*a)?, projection.project(*b)?];
+        // No room between the vertices' dots: no handle.
+        let at = (on_a.distance(on_b) > 6.0 * REACH).then(|| projection.project(a.midpoint(*b))).flatten()?;
+        Some(Spot { handle: Handle::Edge(i), outline: Outline::Diamond(at) })
+    }));
+}
+
+/// A polygon's vertex moved in its plane.
+pub(super) fn vertex(pull: &Pull, start: &Subject, index: usize) -> Option<Change> {
+    reshaped(start, |polygon, world_from_light| {
+        let vertex = polygon.vertices.get(index)?;
+        let shift = pull.shift_in_plane(world_from_light, *vertex)?;
+        let moved = pull.snapped_in_plane(world_from_light, *vertex + shift);
+        *polygon.vertices.get_mut(index)? = moved;
+        Some(())
+    })
+}
+
+/// A polygon's edge moved along its normal, in its plane.
+pub(super) fn edge(pull: &Pull, start: &Subject, index: usize) -> Option<Change> {
+    reshaped(start, |polygon, world_from_light| {
+        let next = (index + 1) % polygon.vertices.len().max(1);
+        let (a, b) = (*polygon.vertices.get(index)?, *polygon.vertices.get(next)?);
+        let normal = (b - a).perp().try_normalize()?;
+        let middle = a.midpoint(b);
+        let along_normal = |shift: DVec2| shift.dot(normal) * normal;
+        let shift = along_normal(pull.shift_in_plane(world_from_light, middle)?);
+        let shift = along_normal(pull.snapped_in_plane(world_from_light, middle + shift) - middle);
+        polygon.vertices[index] += shift;
+        polygon.vertices[next] += shift;
+        Some(())
+    })
+}
+
+/// A polygon changed by `change`, refused where it crosses itself.
+fn reshaped(start: &Subject, change: impl FnOnce(&mut Polygon, &DAffine3) -> Option<()>) -> Option<Change> {
+    let Subject::Light(light) = start else { return None };
+    let mut light = light.clone();
+    let world_from_light = light.world_from_light();
+    let Shape::Polygon(polygon) = &mut light.shape else { return None };
+    change(polygon, &world_from_light)?;
+    let simple = is_simple(&polygon.vertices);
+    let subject = Subject::Light(light);
+    Some(if simple { Change::To(subject) } else { Change::Refused(subject) })
+}
+
+/// A double click on a polygon's edge splits it, on a vertex takes that away; `None` on anything else.
+pub fn double_clicked(subject: &Subject, handle: Handle) -> Option<Edited> {
+    let Subject::Light(light) = subject else { return None };
+    let mut light = light.clone();
+    let Shape::Polygon(polygon) = &mut light.shape else { return None };
+    let count = polygon.vertices.len();
+    let label = match handle {
+        Handle::Edge(i) if i < count => {
+            polygon.vertices.insert(i + 1, polygon.vertices[i].midpoint(polygon.vertices[(i + 1) % count]));
+            "Split edge"
+        }
+        Handle::Vertex(i) if i < count && count > 3 => {
+            polygon.vertices.remove(i);
+            "Delete vertex"
+        }
+        _ => return None,
+    };
+    Some(if is_simple(&polygon.vertices) {
+        Edited::To(label, Box::new(light))
+    } else {
+        Edited::Refused("Without this vertex edges would cross")
+    })
+}
