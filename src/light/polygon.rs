@@ -6,6 +6,8 @@ use glam::{DAffine3, DVec2, DVec3};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::math::triangulate::orientation;
+
 /// A simple planar polygon in the light's XY plane, convex or not, Lambertian with constant luminance.
 ///
 /// Vertices may run either way round; the lit side is −Z, and +Z too when two-sided.
@@ -50,7 +52,7 @@ pub enum PolygonError {
 
 impl Polygon {
     /// Whether the vertices are a simple polygon: its edges meet only at the vertices that they share, and enclose
-    /// some area. Exact: orientations are by [`robust::orient2d`]. Vertices must be finite.
+    /// some area. Exact: see [`orientation`]. Vertices must be finite.
     pub fn check(&self) -> Result<(), PolygonError> {
         let v = &self.vertices;
         let count = v.len();
@@ -106,12 +108,6 @@ impl Polygon {
         };
         PolygonEmitter { vertices, normal: -world_from_light.matrix3.z_axis, two_sided: self.two_sided }
     }
-}
-
-/// Above 0 when a, b, c turn counter-clockwise, below when clockwise, 0 when they lie on a line; the sign is exact.
-fn orientation(a: DVec2, b: DVec2, c: DVec2) -> f64 {
-    let [a, b, c] = [a, b, c].map(|p| robust::Coord { x: p.x, y: p.y });
-    robust::orient2d(a, b, c)
 }
 
 /// Whether the edge b→c runs back over the edge a→b.

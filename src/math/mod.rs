@@ -1,4 +1,4 @@
-//! Mathematics that knows nothing of lights: angles, frames, spherical clipping, quadrature, special functions.
+//! Mathematics that knows nothing of lights: angles, frames, spherical clipping, triangulation, quadrature, special functions.
 
 pub mod angle;
 pub mod chebyshev;
@@ -7,3 +7,4 @@ pub mod interpolation;
 pub mod quadrature;
 pub mod special;
 pub mod spherical;
+pub mod triangulate;

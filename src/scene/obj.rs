@@ -4,9 +4,9 @@
 //! where all corners of a face have one. The words are those of the format's appendix B1 in *Advanced Visualizer
 //! Manual*, Wavefront Technologies, 1992.
 
-use glam::{DVec2, DVec3};
-use robust::{Coord, orient2d};
+use glam::DVec3;
 
+use crate::math::triangulate::ears;
 use crate::surface::Triangle;
 
 /// Coordinates reach this far, metres, as in scenes.
@@ -172,55 +172,6 @@ fn shown(word: &str) -> String {
     word.chars().take(MOST).map(|c| if c.is_control() { '\u{fffd}' } else { c }).collect()
 }
 
-/// The triangles of a simple polygon, convex or not, in its own sense: ears are cut off until three corners are left.
-///
-/// The corners are seen along the axis that the polygon's normal (Newell's) is nearest to, so that the decisions are
-/// exact. Of a polygon that crosses itself, corners are cut off in turn.
-fn ears(points: &[DVec3]) -> Vec<[usize; 3]> {
-    let flat = flattened(points);
-    let mut left: Vec<usize> = (0..points.len()).collect();
-    let mut ears = Vec::with_capacity(points.len().saturating_sub(2));
-    while left.len() > 3 {
-        let count = left.len();
-        let around = |i: usize| [left[(i + count - 1) % count], left[i], left[(i + 1) % count]];
-        let ear = (0..count).find(|i| is_ear(&flat, around(*i), &left)).unwrap_or(0);
-        ears.push(around(ear));
-        left.remove(ear);
-    }
-    if let [a, b, c] = left[..] {
-        ears.push([a, b, c]);
-    }
-    ears
-}
-
-/// The polygon counterclockwise in a plane.
-fn flattened(points: &[DVec3]) -> Vec<DVec2> {
-    let origin = points.first().copied().unwrap_or_default();
-    let next = points.iter().cycle().skip(1);
-    let normal: DVec3 = points.iter().zip(next).map(|(a, b)| (a - origin).cross(b - origin)).sum();
-    let size = normal.abs();
-    let flat = |p: &DVec3| match size {
-        DVec3 { x, y, z } if x >= y && x >= z => DVec2::new(p.y * normal.x.signum(), p.z),
-        DVec3 { y, z, .. } if y >= z => DVec2::new(p.z * normal.y.signum(), p.x),
-        _ => DVec2::new(p.x * normal.z.signum(), p.y),
-    };
-    points.iter().map(flat).collect()
-}
-
-/// Whether the middle one of three neighbours can be cut off: it is convex, and none of the others is in the triangle.
-fn is_ear(flat: &[DVec2], [a, b, c]: [usize; 3], left: &[usize]) -> bool {
-    let side = |a: DVec2, b: DVec2, c: DVec2| {
-        let coord = |p: DVec2| Coord { x: p.x, y: p.y };
-        orient2d(coord(a), coord(b), coord(c))
-    };
-    let [a, b, c] = [flat[a], flat[b], flat[c]];
-    if side(a, b, c) <= 0.0 {
-        return false;
-    }
-    let others = left.iter().map(|i| flat[*i]).filter(|p| *p != a && *p != b && *p != c);
-    others.into_iter().all(|p| side(a, b, p) < 0.0 || side(b, c, p) < 0.0 || side(c, a, p) < 0.0)
-}
-
 #[cfg(test)]
 mod tests {
     use proptest::prelude::*;
@@ -285,30 +236,6 @@ mod tests {
     }
 
     proptest! {
-        #[test]
-        fn a_star_falls_into_triangles_of_its_own_sense_and_area(
-            radii in proptest::collection::vec(0.1..1.0_f64, 3..40), turn in -3.0..3.0_f64, tilt in -3.0..3.0_f64,
-            flip in any::<bool>(),
-        ) {
-            let step = std::f64::consts::TAU / radii.len() as f64;
-            let turned = glam::DMat3::from_rotation_x(tilt) * glam::DMat3::from_rotation_y(turn);
-            let mut star: Vec<DVec3> = radii.iter().enumerate()
-                .map(|(i, r)| turned * (*r * DVec2::from_angle(step * i as f64)).extend(0.3)).collect();
-            if flip {
-                star.reverse();
-            }
-            let normal = turned * DVec3::Z * if flip { -1.0 } else { 1.0 };
-            let area = |points: &[DVec3]| {
-                let next = points.iter().cycle().skip(1);
-                0.5 * points.iter().zip(next).map(|(a, b)| a.cross(*b).dot(normal)).sum::<f64>()
-            };
-            let ears = ears(&star);
-            prop_assert_eq!(ears.len(), star.len() - 2);
-            let areas: Vec<f64> = ears.iter().map(|ear| area(&ear.map(|i| star[i]))).collect();
-            prop_assert!(areas.iter().all(|area| *area > -1e-15), "{areas:?}");
-            prop_assert!((areas.iter().sum::<f64>() - area(&star)).abs() < 1e-13, "{areas:?}");
-        }
-
         #[test]
         fn no_bytes_make_it_panic(text in "([vfn] [-0-9./ e]{0,20}\n){0,8}", cut in 0usize..100) {
             let bytes = &text.as_bytes()[..cut.min(text.len())];
