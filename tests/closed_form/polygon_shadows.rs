@@ -1,10 +1,16 @@
 //! What is seen of polygonal lights, against hand-made values and against rays.
 
+use std::sync::Arc;
+
 use glam::{DVec2, DVec3};
+use softbox::light::{Emitter, Light, Polygon, Shape as LightShape};
+use softbox::math::triangulate::convex_parts;
+use softbox::render::{Lighting, MethodChoice, Reflection};
+use softbox::scene::Scene;
 use softbox::shading::point::point_response;
 use softbox::shading::polygon::{polygon_irradiance, polygon_phong};
-use softbox::shading::{Lobe, ShadingPoint};
-use softbox::surface::{Shape, Surface};
+use softbox::shading::{Lobe, Method, ShadingPoint};
+use softbox::surface::{Bounds, Material, Shape, Surface};
 use softbox::visibility::polygon::{Seen, visible_pieces};
 use softbox::visibility::{Objects, Structure};
 
@@ -44,7 +50,13 @@ fn share(seen: &Seen, light: &[DVec3]) -> f64 {
     }
 }
 
-/// Whether a point of the light is in a polygon, which may run to and fro, by the parity of the edges crossed.
+/// What is seen of a light's convex parts.
+fn seen_of(objects: &Objects, p: DVec3, n: DVec3, light: &[DVec3]) -> Vec<(Vec<DVec3>, Seen)> {
+    let seen = |part: Vec<DVec3>| (part.clone(), visible_pieces(objects, p, n, &part));
+    convex_parts(light).into_iter().map(seen).collect()
+}
+
+/// Whether a point of the light is in a polygon, convex or not, by the parity of the edges crossed.
 fn is_in(polygon: &[DVec3], q: DVec3, [x, y]: [DVec3; 2]) -> bool {
     let flat: Vec<DVec2> = polygon.iter().map(|v| DVec2::new(x.dot(v - q), y.dot(v - q))).collect();
     let next = flat.iter().cycle().skip(1);
@@ -196,7 +208,7 @@ fn mismatches(seed: u64, kinds: &[usize], scenes: usize, points: usize) -> (Vec<
         let (axes, light) = random_light(&mut random);
         let p = random_point(&mut random, &objects);
         let n = random.direction();
-        let seen = visible_pieces(&objects, p, n, &light);
+        let parts = seen_of(&objects, p, n, &light);
         let inside = |q: DVec3, pieces: &[Vec<DVec3>]| pieces.iter().filter(|piece| is_in(piece, q, axes)).count();
         let center = light.iter().sum::<DVec3>() / light.len() as f64;
         for _ in 0..points {
@@ -204,7 +216,11 @@ fn mismatches(seed: u64, kinds: &[usize], scenes: usize, points: usize) -> (Vec<
             if !is_in(&light, q, axes) || n.dot(q - p) <= 0.0 {
                 continue;
             }
-            let count = match &seen {
+            let mut around = parts.iter().filter(|(part, _)| is_in(part, q, axes));
+            let (Some((_, seen)), None) = (around.next(), around.next()) else {
+                panic!("{q} is not in one part of {light:?}")
+            };
+            let count = match seen {
                 Seen::All => 1,
                 Seen::Nothing => 0,
                 Seen::Pieces(pieces) => inside(q, pieces),
@@ -254,17 +270,18 @@ fn shaded(pieces: &[Vec<DVec3>], at: &ShadingPoint, m: f64) -> [f64; 2] {
 
 /// What p sees of a light past objects, shaded.
 fn shaded_seen(objects: &Objects, light: &[DVec3], at: &ShadingPoint, m: f64) -> [f64; 2] {
-    let whole = shaded(&[light.to_vec()], at, m);
-    match visible_pieces(objects, at.p, at.n, light) {
-        Seen::All => whole,
+    let of_part = |(part, seen): (Vec<DVec3>, Seen)| match seen {
+        Seen::All => shaded(&[part], at, m),
         Seen::Nothing => [0.0; 2],
         Seen::Pieces(pieces) => shaded(&pieces, at, m),
         Seen::AllBut(pieces) => {
-            let hidden = shaded(&pieces, at, m);
+            let (whole, hidden) = (shaded(&[part], at, m), shaded(&pieces, at, m));
             [whole[0] - hidden[0], whole[1] - hidden[1]]
         }
         Seen::Unknown => panic!("nothing is known"),
-    }
+    };
+    let parts = seen_of(objects, at.p, at.n, light).into_iter().map(of_part);
+    parts.fold([0.0; 2], |sum, one| [sum[0] + one[0], sum[1] + one[1]])
 }
 
 fn random_at(random: &mut Random, p: DVec3, light: &[DVec3]) -> ShadingPoint {
@@ -384,12 +401,71 @@ fn nothing_of_the_light_changes_where_nothing_touches_it() {
         let p = random.point(2.5);
         let beside: Vec<_> = (0..3).map(|_| random_surface(&mut random, &kinds)).collect();
         let all = objects(&beside);
-        let counted: Vec<_> = beside
-            .iter()
-            .filter(|s| visible_pieces(&objects(&[(*s).clone()]), p, -p, &light) != Seen::All)
-            .cloned()
-            .collect();
-        let [with, without] = [&all, &objects(&counted)].map(|objects| visible_pieces(objects, p, -p, &light));
+        let touches = |surface: &Surface| {
+            let seen = seen_of(&objects(std::slice::from_ref(surface)), p, -p, &light);
+            seen.iter().any(|(_, seen)| *seen != Seen::All)
+        };
+        let counted: Vec<_> = beside.iter().filter(|surface| touches(surface)).cloned().collect();
+        let [with, without] = [&all, &objects(&counted)].map(|objects| seen_of(objects, p, -p, &light));
         assert_eq!(with, without, "{light:?} from {p} past {beside:?}");
+    }
+}
+
+/// The share of E that a point sees of a light in the picture's own way, past one surface.
+fn share_in_pictures(light: &Light, surface: &Surface, at: &ShadingPoint) -> f64 {
+    let scene = Scene { lights: vec![light.clone()], ..Scene::default() };
+    let open = Lighting::new(&scene, MethodChoice::Method(Method::Exact));
+    let shadowed = open.clone().with_shadows(&Arc::new(objects(std::slice::from_ref(surface))));
+    let matt = Material {
+        name: "matt".to_owned(),
+        diffuse: DVec3::ONE,
+        specular: DVec3::ZERO,
+        model: Default::default(),
+        exponent: 1.0,
+    };
+    let [whole, seen] = [open, shadowed].map(|l| l.outgoing(&Reflection::new(&matt), at).irradiance.x);
+    seen / whole
+}
+
+/// The same by a grid of rays.
+fn share_by_rays(light: &[DVec3], surface: &Surface, at: &ShadingPoint, cells: u32) -> f64 {
+    let objects = objects(std::slice::from_ref(surface));
+    let Bounds { min, max } = Bounds::about(light);
+    let (mut seen, mut whole) = (0.0, 0.0);
+    for (x, y) in (0..cells * cells).map(|k| (f64::from(k % cells) + 0.5, f64::from(k / cells) + 0.5)) {
+        let q = min + DVec3::new(x, y, 0.0) / f64::from(cells) * (max - min);
+        if !is_in(light, q, [DVec3::X, DVec3::Y]) {
+            continue;
+        }
+        let one = point_response(q - at.p, (q - at.p).normalize().z.abs(), at, &Lobe::new(1.0)).irradiance;
+        whole += one;
+        seen += if one > 0.0 && objects.hides(at.p, q - at.p) { 0.0 } else { one };
+    }
+    seen / whole
+}
+
+#[test]
+fn an_arrow_past_many_spheres_and_triangles_is_seen_as_rays_see_it() {
+    const CELLS: u32 = 120;
+    let vertices = [[-1.0, -0.8], [0.2, 0.0], [-1.0, 0.8], [1.0, 0.0]].map(DVec2::from).to_vec();
+    let shape = LightShape::Polygon(Polygon { vertices, two_sided: false });
+    let light = Light { position: DVec3::new(0.3, -0.2, 3.0), ..Light::new("arrow", shape) };
+    let Emitter::Polygon(placed) = light.emitter() else { panic!("an arrow is a polygon") };
+    let mut random = Random::new(47);
+    for shape in [Shape::Sphereflake { depth: 2 }, Shape::Tetrahedron { depth: 2 }] {
+        let (mut partly, mut worst) = (0, 0.0_f64);
+        for i in 0..60 {
+            let position = DVec3::Z + random.point(0.25);
+            let scale = DVec3::splat(0.6) + random.point(0.5).abs();
+            let occluder = surface(shape.clone(), position, 180.0 * random.point(1.0), scale);
+            let n = (DVec3::Z + random.point(0.5)).normalize();
+            let at = ShadingPoint { p: random.point(1.5) * DVec3::new(1.0, 1.0, 0.0), n, v: n };
+            let dense = share_by_rays(&placed.vertices, &occluder, &at, CELLS);
+            let off = (share_in_pictures(&light, &occluder, &at) - dense).abs();
+            worst = worst.max(off);
+            assert!(off < 2e-2, "{off:e} of point {i}: {at:?} under {occluder:?}");
+            partly += u32::from(dense > 0.0 && dense < 1.0);
+        }
+        assert!(partly > 20, "{partly} in part, worst {worst:e}");
     }
 }

@@ -23,6 +23,7 @@ use reflected::Reflected;
 use source::Source;
 
 use crate::light::{Emitter, LineEmitter, PolygonEmitter};
+use crate::math::triangulate::convex_parts;
 use crate::shading::{Lobe, Method, Prepared, Response, ShadingPoint, respond};
 use crate::surface::Bounds;
 use crate::visibility::Objects;
@@ -43,15 +44,15 @@ pub(super) struct Casters {
 pub(super) struct Shadow {
     /// Of a light with an area, which rays may sample.
     source: Option<Source>,
+    /// Of a polygon, whose shadows are cut out of its convex parts.
+    convex_parts: Vec<Vec<DVec3>>,
 }
 
 /// What is seen of a light.
 enum Visible {
     All,
-    /// These lights, together.
-    Parts(Vec<Emitter>),
-    /// All but these lights.
-    AllBut(Vec<Emitter>),
+    /// The first lights together, without the second.
+    Without(Vec<Emitter>, Vec<Emitter>),
     /// These shares of the diffuse and the specular response.
     Shares([f64; 2]),
     /// What rays find.
@@ -65,7 +66,11 @@ impl Visible {
 impl Shadow {
     /// Of a light.
     pub(super) fn new(emitter: &Emitter) -> Self {
-        Self { source: Source::new(emitter) }
+        let convex_parts = match emitter {
+            Emitter::Polygon(polygon) => convex_parts(&polygon.vertices),
+            _ => Vec::new(),
+        };
+        Self { source: Source::new(emitter), convex_parts }
     }
 }
 
@@ -95,13 +100,12 @@ impl Casters {
         lobe: &Lobe,
         strengths: [f64; 2],
     ) -> Response {
-        match self.visible(light.emitter(), at) {
+        match self.visible(light.emitter(), shadow, at) {
             Visible::All => light.respond(at, lobe),
             Visible::Shares([0.0, 0.0]) => Response::default(),
             Visible::Shares(shares) => scaled(light.respond(at, lobe), shares),
-            Visible::Parts(parts) => of_what_is_seen(light, at, lobe, |exact| sum(&parts, exact, at, lobe)),
-            Visible::AllBut(parts) => of_what_is_seen(light, at, lobe, |exact| {
-                let (all, hidden) = (respond(light.emitter(), exact, at, lobe), sum(&parts, exact, at, lobe));
+            Visible::Without(lights, hidden) => of_what_is_seen(light, at, lobe, |exact| {
+                let (all, hidden) = (sum(&lights, exact, at, lobe), sum(&hidden, exact, at, lobe));
                 Response {
                     irradiance: (all.irradiance - hidden.irradiance).max(0.0),
                     specular: (all.specular - hidden.specular).max(0.0),
@@ -141,28 +145,49 @@ impl Casters {
     }
 
     /// What is seen of a light.
-    fn visible(&self, emitter: &Emitter, at: &ShadingPoint) -> Visible {
+    fn visible(&self, emitter: &Emitter, shadow: &Shadow, at: &ShadingPoint) -> Visible {
         match emitter {
             Emitter::Line(line) => {
                 let segments = visible_segments(&self.objects, at.p, at.n, [line.a, line.b]);
                 let Some(segments) = segments else { return Visible::All };
                 match segments.parts() {
                     [] => Visible::NOTHING,
-                    parts => Visible::Parts(parts.iter().map(|&[from, to]| segment(line, from, to)).collect()),
+                    parts => {
+                        Visible::Without(parts.iter().map(|&[from, to]| segment(line, from, to)).collect(), Vec::new())
+                    }
                 }
             }
-            Emitter::Polygon(polygon) => match visible_pieces(&self.objects, at.p, at.n, &polygon.vertices) {
-                Seen::All => Visible::All,
-                Seen::Nothing => Visible::NOTHING,
-                Seen::Pieces(pieces) => Visible::Parts(pieces_of(polygon, pieces)),
-                Seen::AllBut(pieces) => Visible::AllBut(pieces_of(polygon, pieces)),
-                Seen::Unknown => Visible::ByRays,
-            },
+            Emitter::Polygon(polygon) => self.visible_polygon(polygon, &shadow.convex_parts, at),
             Emitter::Point(point) => shut(self.objects.hides(at.p, point.position - at.p)),
             Emitter::Directional(light) => shut(self.objects.hides_direction(at.p, light.to_light)),
             Emitter::Sphere(_) | Emitter::Disk(_) | Emitter::Textured(_) | Emitter::Cap(_) | Emitter::Sky(_) => {
                 Visible::ByRays
             }
+        }
+    }
+
+    /// What is seen of a polygon, from what is seen of its convex parts.
+    fn visible_polygon(&self, polygon: &PolygonEmitter, parts: &[Vec<DVec3>], at: &ShadingPoint) -> Visible {
+        let (mut lights, mut hidden) = (Vec::new(), Vec::new());
+        let mut is_all = true;
+        for part in parts {
+            let seen = visible_pieces(&self.objects, at.p, at.n, part);
+            is_all &= seen == Seen::All;
+            match seen {
+                Seen::All => lights.push(part.clone()),
+                Seen::Nothing => {}
+                Seen::Pieces(mut pieces) => lights.append(&mut pieces),
+                Seen::AllBut(mut pieces) => {
+                    lights.push(part.clone());
+                    hidden.append(&mut pieces);
+                }
+                Seen::Unknown => return Visible::ByRays,
+            }
+        }
+        match is_all {
+            true => Visible::All,
+            false if lights.is_empty() => Visible::NOTHING,
+            false => Visible::Without(pieces_of(polygon, lights), pieces_of(polygon, hidden)),
         }
     }
 }

@@ -271,7 +271,7 @@ fn the_stated_error_is_what_dense_rays_find() {
 fn with_and_without(surfaces: &[Surface], shape: &LightShape, at: &ShadingPoint, lobe: &Lobe) -> [Response; 2] {
     let light = emitter(shape, DVec3::new(0.3, -0.2, 2.5), DVec3::new(10.0, 5.0, 0.0));
     let prepared = Prepared::new(&light, Method::Exact);
-    let shadow = Shadow { source: Source::new(&light) };
+    let shadow = Shadow::new(&light);
     let casters = casters(surfaces).with_precision(Precision::PICTURE);
     [casters.by_rays(&prepared, &shadow, at, lobe, [0.3, 1.0]), prepared.respond(at, lobe)]
 }

@@ -1,4 +1,4 @@
-//! Cutting a planar polygon by half-spaces about p.
+//! Cutting a planar convex polygon by half-spaces about p.
 
 use glam::DVec3;
 
@@ -53,10 +53,7 @@ pub(super) fn vector_area(polygon: &[Corner]) -> DVec3 {
     0.5 * polygon.windows(2).map(|edge| (edge[0].at - origin.at).cross(edge[1].at - origin.at)).sum::<DVec3>()
 }
 
-/// Cuts polygons as seen from one point.
-///
-/// Sutherland and Hodgman's algorithm, which cuts exactly to rounding. What is left of a polygon that is not convex may
-/// be joined along the cut by edges that run to and fro, which cancel in every integral along edges.
+/// Cuts convex polygons as seen from one point, exactly to rounding, by Sutherland and Hodgman's algorithm.
 #[derive(Clone, Debug)]
 pub(super) struct Clipper {
     p: DVec3,
@@ -122,7 +119,8 @@ impl Clipper {
 
     /// Appends what of a polygon lies outside a convex region to `pieces`: the polygon itself where they do not meet.
     ///
-    /// Only the half-spaces that bound the common part cut, so that the fewest pieces arise.
+    /// Only the half-spaces that bound the common part cut, so that the fewest pieces arise; of a convex polygon the
+    /// others cut off nothing.
     pub(super) fn subtract(&mut self, polygon: Vec<Corner>, region: &[HalfSpace], pieces: &mut Vec<Vec<Corner>>) {
         let mut common = polygon.clone();
         if !self.intersect(&mut common, region) {

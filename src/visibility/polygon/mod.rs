@@ -1,4 +1,4 @@
-//! What is seen of a polygonal light.
+//! What is seen of a convex polygonal light.
 //!
 //! [`PICOTT_1992`](crate::refs::PICOTT_1992), eq. 8b, after Nishita and Nakamae: the light is cut by the silhouettes of
 //! the occluders as seen from p. A convex occluder hides a convex part of the light's plane, the common part of a few
@@ -38,19 +38,17 @@ const FEW: usize = 8;
 /// With less of the light to be seen than this share, what is seen is cut out and not had as a difference.
 const LEAST_SHARE: f64 = 1e-3;
 
-/// More shadows than these are left to rays where the light is not convex: the edges that join its pieces would be cut over
-/// and over.
-const MOST_OF_CONCAVE: usize = 4;
-
 /// Beyond this many pieces rays are as good, and cheaper.
 const MOST_PIECES: usize = 256;
 
-/// What is seen from p, above the horizon of n, of a planar simple polygon.
+/// What is seen from p, above the horizon of n, of a planar convex polygon, in convex pieces.
 ///
 /// **Accuracy:** to rounding for planes, boxes, squares and triangles; a round outline is a polygon (see `round`).
-/// **Domain:** p in the light's plane sees all of it. Pieces thinner than rounding are left out; an occluder that does
-/// not touch the light as seen from p changes nothing. Pieces of a light that is not convex may be joined by edges that
-/// run to and fro.
+/// **Domain:** the polygon must be convex: of another, ask for each of its
+/// [`convex_parts`](crate::math::triangulate::convex_parts), since only the half-spaces that bound what an occluder hides
+/// are kept, and one that bounds nothing may still part another arm of the light from it. p in the light's plane sees all
+/// of it. Pieces thinner than rounding are left out; an occluder that does not touch the light as seen from p changes
+/// nothing.
 pub fn visible_pieces(objects: &Objects, p: DVec3, n: DVec3, polygon: &[DVec3]) -> Seen {
     let mut clipper = Clipper::new(p, polygon);
     let Some(light) = Light::above_horizon(p, n, polygon, &mut clipper) else { return Seen::All };
@@ -65,9 +63,6 @@ pub fn visible_pieces(objects: &Objects, p: DVec3, n: DVec3, polygon: &[DVec3]) 
     if shadows.is_empty() {
         return Seen::All;
     }
-    if shadows.len() > MOST_OF_CONCAVE && !is_convex(polygon) {
-        return Seen::Unknown;
-    }
     shadows.sort();
     if shadows.len() <= FEW {
         let hidden = hidden_pieces(&shadows, &mut clipper);
@@ -81,14 +76,6 @@ pub fn visible_pieces(objects: &Objects, p: DVec3, n: DVec3, polygon: &[DVec3]) 
         Some(pieces) if pieces.is_empty() => Seen::Nothing,
         Some(pieces) => Seen::Pieces(plain(pieces)),
     }
-}
-
-/// Whether a planar polygon turns to one side only.
-fn is_convex(polygon: &[DVec3]) -> bool {
-    let area = polygon.windows(2).map(|edge| (edge[0] - polygon[0]).cross(edge[1] - polygon[0])).sum::<DVec3>();
-    let corner = |i: usize| polygon[i % polygon.len()];
-    let turn = |i: usize| (corner(i + 1) - corner(i)).cross(corner(i + 2) - corner(i + 1)).dot(area);
-    (0..polygon.len()).all(|i| turn(i) >= 0.0)
 }
 
 /// The shadows without their overlaps: each without those before it.
