@@ -54,7 +54,7 @@ impl Lighting {
             parts.map(move |(emitter, weight)| Lit {
                 light: Prepared::new(&emitter, method),
                 weight,
-                shadow: Shadow::new(&emitter),
+                shadow: Shadow::default(),
             })
         });
         Self { lights: lit.collect(), casters: None }
