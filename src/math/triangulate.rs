@@ -178,7 +178,7 @@ mod tests {
     #[test]
     fn a_convex_polygon_is_its_only_part_to_the_last_bit() {
         let polygon: Vec<_> = (0..9).map(|i| DVec2::from_angle(TAU * f64::from(i) / 9.0).extend(0.3)).collect();
-        assert_eq!(convex_parts(&polygon), [polygon.clone()], "in its own order");
+        assert_eq!(convex_parts(&polygon), std::slice::from_ref(&polygon), "in its own order");
     }
 
     proptest! {
