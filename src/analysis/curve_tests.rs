@@ -10,6 +10,8 @@ fn light(shape: Shape, kind: QuantityKind, value: f64) -> Light {
         tint: Tint::Color(DVec3::new(1.0, 0.2, 0.0)),
         quantity: Quantity::new(kind, value),
         muted: false,
+        group: None,
+        only: None,
         shape,
     }
 }

@@ -188,8 +188,8 @@ impl View<'_> {
         let Thing::Surface(surface) = seen.thing else { return (Some(seen.thing), None) };
         let reflection = self.geometry.material(surface).and_then(|material| self.reflections.get(material));
         let at = seen.shading_point(direction);
-        let outgoing =
-            reflection.map(|reflection| self.lightings.each_ref().map(|lighting| lighting.outgoing(reflection, &at)));
+        let outgoing = reflection
+            .map(|reflection| self.lightings.each_ref().map(|lighting| lighting.outgoing_on(surface, reflection, &at)));
         (Some(seen.thing), outgoing)
     }
 }

@@ -19,7 +19,7 @@ impl Session {
     pub fn add_light(&mut self, mut light: Light) {
         let label = format!("Add {}", light.shape.name());
         light.name = unique_name(self.scene().lights.iter().map(|other| &other.name), &light.name);
-        scene::keep_apart(&mut light, &self.scene().lights);
+        scene::keep_apart(&mut light, self.scene().all_lights());
         let index = self.scene().lights.len();
         self.edit(&label, |scene| scene.lights.push(light));
         self.selection.set([Item::Light(index)]);
@@ -31,8 +31,8 @@ impl Session {
         let mut light = self.scene().lights[index].clone();
         let Shape::Textured(textured) = &mut light.shape else { return };
         textured.pattern = pattern;
-        let others: Vec<Light> = self.scene().lights.iter().filter(|other| other.name != name).cloned().collect();
-        scene::keep_apart(&mut light, &others);
+        let replaced = &self.scene().lights[index];
+        scene::keep_apart(&mut light, self.scene().all_lights().filter(|other| !std::ptr::eq(*other, replaced)));
         self.edit("Replace pattern", |scene| scene.lights[index] = light);
     }
 
@@ -144,7 +144,10 @@ impl Session {
             for light in &preset.lights {
                 let name = unique_name(scene.lights.iter().map(|other| &other.name), &light.name);
                 let mut light = Light { name, ..light.clone() };
-                scene::keep_apart(&mut light, &scene.lights);
+                scene::keep_apart(&mut light, scene.all_lights());
+                // A preset's links are to surfaces of its own.
+                let is_known = |only: &Vec<String>| only.iter().all(|name| has_surface(scene, name));
+                light.only = light.only.filter(is_known);
                 scene.lights.push(light);
             }
         });
@@ -275,6 +278,11 @@ fn duplicate(scene: &mut Scene, item: Item) -> Option<Item> {
         }
         Item::Surface(i) => {
             let original = scene.surfaces[i].clone();
+            for only in scene.all_lights_mut().filter_map(|light| light.only.as_mut()) {
+                if only.contains(&original.name) {
+                    only.push(name.clone());
+                }
+            }
             scene.surfaces.push(Surface { name, position: original.position + COPY_OFFSET, ..original });
             Item::Surface(scene.surfaces.len() - 1)
         }
@@ -302,13 +310,22 @@ fn is_used(scene: &Scene, material: Item, leaving: &[Item]) -> bool {
             .any(|(i, p)| p.material.is_some() && p.material.as_deref() == name && !leaving.contains(&Item::Plot(i)))
 }
 
+fn has_surface(scene: &Scene, name: &str) -> bool {
+    scene.surfaces.iter().any(|surface| surface.name == name)
+}
+
 fn remove(scene: &mut Scene, item: Item) {
     if !item.exists(scene) {
         return;
     }
     match item {
         Item::Light(i) => drop(scene.lights.remove(i)),
-        Item::Surface(i) => drop(scene.surfaces.remove(i)),
+        Item::Surface(i) => {
+            let gone = scene.surfaces.remove(i).name;
+            for only in scene.all_lights_mut().filter_map(|light| light.only.as_mut()) {
+                only.retain(|name| *name != gone);
+            }
+        }
         Item::Material(i) => drop(scene.materials.remove(i)),
         Item::Plot(i) => drop(scene.plots.remove(i)),
     }
@@ -318,7 +335,13 @@ fn remove(scene: &mut Scene, item: Item) {
 fn set_name(scene: &mut Scene, item: Item, old: &str, new: &str) {
     match item {
         Item::Light(i) => scene.lights[i].name = new.to_owned(),
-        Item::Surface(i) => scene.surfaces[i].name = new.to_owned(),
+        Item::Surface(i) => {
+            scene.surfaces[i].name = new.to_owned();
+            let lists = scene.all_lights_mut().filter_map(|light| light.only.as_mut());
+            for name in lists.flatten().filter(|name| *name == old) {
+                new.clone_into(name);
+            }
+        }
         Item::Plot(i) => scene.plots[i].name = new.to_owned(),
         Item::Material(i) => {
             scene.materials[i].name = new.to_owned();

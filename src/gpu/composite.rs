@@ -11,6 +11,7 @@ use crate::scene::Scene;
 use crate::shading::textured;
 use glam::DVec3;
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 /// Radiance, cd/m².
 const RADIANCE: wgpu::TextureFormat = wgpu::TextureFormat::Rgba32Float;
@@ -29,11 +30,20 @@ const BATCH: usize = 6;
 /// Texels along a side of a pattern that is seen; of larger patterns some are left out.
 const MOST_SEEN: u32 = 256;
 
+/// A light that contributes.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Mixed {
+    pub(crate) lit: Lit,
+    pub(crate) weight: DVec3,
+    /// Of each surface, whether it is lit; all of them where there is no list.
+    pub(crate) reaches: Option<Arc<[bool]>>,
+}
+
 /// All that a picture depends on beside the layers. Equal mixes of the same layers give equal pictures.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Mix {
-    /// Each light that contributes, its shadow, and its weight.
-    lights: Vec<(Lit, DVec3)>,
+    lights: Vec<Mixed>,
+    surfaces: usize,
     reflectances: Vec<Reflectance>,
     emitters: Vec<VisibleEmitter>,
     emitter_vertices: Vec<[f32; 4]>,
@@ -43,7 +53,7 @@ pub(crate) struct Mix {
 
 impl Mix {
     /// The scene's materials and emitters in this view; `lights` are its contributing lights in order.
-    pub(crate) fn new(scene: &Scene, view: &View, lights: Vec<(Lit, DVec3)>) -> Self {
+    pub(crate) fn new(scene: &Scene, view: &View, lights: Vec<Mixed>) -> Self {
         let reflectances = scene
             .materials
             .iter()
@@ -57,6 +67,7 @@ impl Mix {
             .collect();
         let mut mix = Self {
             lights,
+            surfaces: scene.surfaces.len(),
             reflectances,
             emitters: Vec::new(),
             emitter_vertices: Vec::new(),
@@ -143,6 +154,13 @@ impl Mix {
     }
 }
 
+/// Of each surface, a bit for each light that reaches it.
+fn reached(lights: &[Mixed], surfaces: usize) -> Vec<u32> {
+    let reaches = |mixed: &Mixed, surface: usize| mixed.reaches.as_ref().is_none_or(|list| list[surface]);
+    let bits = |surface| lights.iter().enumerate().map(move |(i, mixed)| u32::from(reaches(mixed, surface)) << i).sum();
+    (0..surfaces).map(bits).collect()
+}
+
 /// Samples summed to means, and the picture made of them.
 #[derive(Debug)]
 pub(crate) struct Picture {
@@ -199,8 +217,8 @@ pub(crate) struct CompositePass {
 impl CompositePass {
     pub(crate) fn new(device: &wgpu::Device) -> Self {
         use Binding::{Storage, Texture, Uniform};
-        let scene_layout = pass::bind_group_layout(device, &[Texture, Texture, Storage, Storage, Storage]);
-        let batch_layout = pass::bind_group_layout(device, &[&[Uniform, Texture][..], &[Texture; 2 * BATCH]].concat());
+        let scene_layout = pass::bind_group_layout(device, &[Texture, Texture, Storage, Storage, Storage, Storage]);
+        let batch_layout = pass::bind_group_layout(device, &[&[Uniform, Texture][..], &[Texture; 2 * BATCH], &[Storage]].concat());
         let tone_layout = pass::bind_group_layout(device, &[Texture, Texture, Texture, Uniform]);
         let [sum, tone] = Self::sources();
         Self {
@@ -238,11 +256,12 @@ impl CompositePass {
                 emitter_count: u32_of(mix.emitters.len()),
                 ..Default::default()
             };
-            for (slot, (lit, weight)) in uniform.weights.iter_mut().zip(lights) {
-                *slot = vec4_of(*weight, f64::from(u8::from(lit.shadow.is_some())));
+            for (slot, mixed) in uniform.weights.iter_mut().zip(lights) {
+                *slot = vec4_of(mixed.weight, f64::from(u8::from(mixed.lit.shadow.is_some())));
             }
+            let reached = pass::storage(device, &reached(lights, mix.surfaces));
             let [before, after] = [batch + 1, batch].map(|i| &picture.sample[i % 2]);
-            let group = self.batch_group(device, &uniform, sample, lights, before);
+            let group = self.batch_group(device, (&uniform, &reached), sample, lights, before);
             pass::run(encoder, &self.sum, &[&scene, &group], &[&after.view]);
         }
         let settings = Tone { exposure: mix.exposure, share: f32::from(count).recip() };
@@ -281,6 +300,7 @@ impl CompositePass {
             reflectances.as_entire_binding(),
             emitters.as_entire_binding(),
             vertices.as_entire_binding(),
+            gbuffer.surfaces().as_entire_binding(),
         ];
         pass::bind_group(device, &self.scene_layout, &resources)
     }
@@ -288,20 +308,21 @@ impl CompositePass {
     fn batch_group(
         &self,
         device: &wgpu::Device,
-        uniform: &Composite,
+        (uniform, reached): (&Composite, &wgpu::Buffer),
         sample: &Sample,
-        lights: &[(Lit, DVec3)],
+        lights: &[Mixed],
         before: &Target,
     ) -> wgpu::BindGroup {
         let uniform = pass::uniform(device, uniform);
         let mut resources = vec![uniform.as_entire_binding(), wgpu::BindingResource::TextureView(&before.view)];
-        let layers = lights.iter().map(|(lit, _)| sample.layer(&lit.light));
-        let shadows = lights.iter().map(|(lit, _)| sample.shadow(lit.shadow.as_ref()?));
+        let layers = lights.iter().map(|mixed| sample.layer(&mixed.lit.light));
+        let shadows = lights.iter().map(|mixed| sample.shadow(mixed.lit.shadow.as_ref()?));
         let filled = |targets: &mut dyn Iterator<Item = Option<&Target>>| -> [wgpu::TextureView; BATCH] {
             std::array::from_fn(|_| targets.next().flatten().unwrap_or(&self.no_layer).view.clone())
         };
         let views = [filled(&mut layers.into_iter()), filled(&mut shadows.into_iter())];
         resources.extend(views.as_flattened().iter().map(wgpu::BindingResource::TextureView));
+        resources.push(reached.as_entire_binding());
         pass::bind_group(device, &self.batch_layout, &resources)
     }
 }

@@ -68,6 +68,11 @@ impl GBuffer {
         self.seen == *seen
     }
 
+    /// Of each item that may be seen, its surface.
+    pub(crate) fn surfaces(&self) -> &wgpu::Buffer {
+        self.seen.occluders.surfaces()
+    }
+
     /// Its size in pixels.
     pub(crate) fn size(&self) -> [u32; 2] {
         self.seen.size

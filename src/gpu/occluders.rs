@@ -27,6 +27,8 @@ pub(crate) struct Occluders {
     materials: Vec<u32>,
     eye: DVec3,
     group: wgpu::BindGroup,
+    /// Of each item.
+    surfaces: wgpu::Buffer,
 }
 
 impl Occluders {
@@ -52,7 +54,16 @@ impl Occluders {
             _ => Arc::new(Items::new(&scene.surfaces)),
         };
         let group = items.about(eye, &materials).group(device, layout);
-        Arc::new(Self { items, materials, eye, group })
+        let surfaces = match old {
+            Some(old) if Arc::ptr_eq(&old.items, &items) => old.surfaces.clone(),
+            _ => pass::storage(device, &items.surfaces_of_items()),
+        };
+        Arc::new(Self { items, materials, eye, group, surfaces })
+    }
+
+    /// The surface of each item, by the numbers that the G-buffer has less 1.
+    pub(crate) fn surfaces(&self) -> &wgpu::Buffer {
+        &self.surfaces
     }
 
     /// What shaders read them by, as group 2.
@@ -126,6 +137,11 @@ impl Items {
         }
         let (triangles, _, triangle_nodes) = in_boxes(triangles);
         Self { surfaces: surfaces.to_vec(), primitives, triangles, always, primitive_nodes, triangle_nodes }
+    }
+
+    /// The surface of each item: of primitives, then of triangles.
+    fn surfaces_of_items(&self) -> Vec<u32> {
+        self.primitives.iter().chain(&self.triangles).map(|item| u32_of(item.surface)).collect()
     }
 
     /// All that the shaders read, about an eye.

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::Context;
-use super::composite::{CompositePass, Mix, Picture};
+use super::composite::{CompositePass, Mix, Mixed, Picture};
 use super::gbuffer::Seen;
 use super::lights::LightData;
 use super::lobes;
@@ -182,6 +182,8 @@ fn wanted(scene: &Scene, view: &View, occluders: &Arc<Occluders>, bands: u32) ->
     let shadows = view.shadows && shadows::are_cast(&scene.surfaces);
     let other_lobes = !matte && wanted.lobes.iter().any(lobes::is_other);
     for light in &scene.lights {
+        let reached = || scene.surfaces.iter().map(|surface| light.reaches(&surface.name)).collect();
+        let reaches: Option<Arc<[bool]>> = light.only.is_some().then(reached);
         for (emitter, weight) in light.parts() {
             let method = view.method.for_shape(&light.shape);
             let mut data = LightData::new(&emitter, method, view.camera.eye);
@@ -192,7 +194,7 @@ fn wanted(scene: &Scene, view: &View, occluders: &Arc<Occluders>, bands: u32) ->
             let lit = Lit { light: data, shadow };
             if weight.max_element() > 0.0 {
                 wanted.lit.push(lit.clone());
-                mixed.push((lit, weight));
+                mixed.push(Mixed { lit, weight, reaches: reaches.clone() });
             } else {
                 wanted.dark.push(lit);
             }

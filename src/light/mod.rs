@@ -49,6 +49,10 @@ pub struct Light {
     pub quantity: Quantity,
     /// A muted light contributes nothing.
     pub muted: bool,
+    /// The group that it is listed in.
+    pub group: Option<String>,
+    /// Names of the surfaces that it lights; all of them where there is no list.
+    pub only: Option<Vec<String>>,
     /// Shape, in the light's own frame.
     pub shape: Shape,
 }
@@ -111,8 +115,15 @@ impl Light {
             tint: Tint::default(),
             quantity: shape.everyday_quantity(),
             muted: false,
+            group: None,
+            only: None,
             shape,
         }
+    }
+
+    /// Whether it lights the surface of that name.
+    pub fn reaches(&self, surface: &str) -> bool {
+        self.only.as_ref().is_none_or(|only| only.iter().any(|name| name == surface))
     }
 
     /// The light's emission in another quantity; none where the shape does not have it.

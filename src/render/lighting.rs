@@ -26,6 +26,8 @@ struct Lit {
     light: Prepared,
     weight: DVec3,
     shadow: Shadow,
+    /// Of each surface of the scene, whether it is lit; of all of them where there is no list.
+    reaches: Option<Arc<[bool]>>,
 }
 
 /// A material prepared for shading.
@@ -51,10 +53,13 @@ impl Lighting {
         let lit = scene.lights.iter().flat_map(|light| {
             let method = choice.for_shape(&light.shape);
             let parts = light.parts().into_iter();
+            let reached = || scene.surfaces.iter().map(|surface| light.reaches(&surface.name)).collect();
+            let reaches: Option<Arc<[bool]>> = light.only.is_some().then(reached);
             parts.map(move |(emitter, weight)| Lit {
                 light: Prepared::new(&emitter, method),
                 weight,
                 shadow: Shadow::default(),
+                reaches: reaches.clone(),
             })
         });
         Self { lights: lit.collect(), casters: None }
@@ -74,11 +79,23 @@ impl Lighting {
         Self { lights: lights.collect(), casters }
     }
 
-    /// L_out = Σ weight·(k_d/π·E + k_s·S) over the lights, with their unit responses E and S.
+    /// L_out = Σ weight·(k_d/π·E + k_s·S) over the lights, with their unit responses E and S, at a point that is on no
+    /// surface of the scene: all lights reach it.
     pub fn outgoing(&self, reflection: &Reflection, at: &ShadingPoint) -> Outgoing {
+        self.sum(reflection, at, |_| true)
+    }
+
+    /// [`Self::outgoing`] at a point of the surface of that index in the scene, by the lights that are linked to it.
+    pub fn outgoing_on(&self, surface: usize, reflection: &Reflection, at: &ShadingPoint) -> Outgoing {
+        let is_lit = |reaches: &Arc<[bool]>| reaches.get(surface) == Some(&true);
+        self.sum(reflection, at, |lit| lit.reaches.as_ref().is_none_or(is_lit))
+    }
+
+    fn sum(&self, reflection: &Reflection, at: &ShadingPoint, is_lit: impl Fn(&Lit) -> bool) -> Outgoing {
         let mut sum = Outgoing::default();
         let strengths = [FRAC_1_PI * reflection.diffuse.max_element(), reflection.specular.max_element()];
-        for Lit { light, weight, shadow } in self.lights.iter().filter(|lit| lit.weight != DVec3::ZERO) {
+        let lit = self.lights.iter().filter(|lit| lit.weight != DVec3::ZERO && is_lit(lit));
+        for Lit { light, weight, shadow, .. } in lit {
             let Response { irradiance, specular } = match &self.casters {
                 Some(casters) => casters.response(light, shadow, at, &reflection.lobe, strengths),
                 None => light.respond(at, &reflection.lobe),

@@ -234,7 +234,7 @@ impl View {
                 let Some(reflection) = self.geometry.material(surface).and_then(|m| self.reflections.get(m)) else {
                     return DVec3::ZERO;
                 };
-                self.lighting.outgoing(reflection, &seen.shading_point(direction)).radiance
+                self.lighting.outgoing_on(surface, reflection, &seen.shading_point(direction)).radiance
             }
         }
     }

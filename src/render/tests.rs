@@ -42,6 +42,8 @@ fn furnace(illuminance: f64, diffuse: DVec3) -> Scene {
             tint: Tint::default(),
             quantity: Quantity::new(QuantityKind::Illuminance, illuminance),
             muted: false,
+            group: None,
+            only: None,
             shape: LightShape::Directional(Directional {}),
         }],
         ..Scene::default()
@@ -84,6 +86,30 @@ fn twice_the_light_is_twice_the_radiance_and_a_muted_one_is_none() {
     let mut muted = furnace(500.0, DVec3::splat(0.5));
     muted.lights[0].muted = true;
     assert!(picture(&muted, 1).radiance().iter().all(|radiance| *radiance == DVec3::ZERO), "muted");
+}
+
+#[test]
+fn a_linked_light_reaches_its_surfaces_only_and_the_others_still_shade_them() {
+    let whole = picture(&furnace(1000.0, DVec3::ONE), 1);
+    let mut scene = furnace(1000.0, DVec3::ONE);
+    let geometry = Geometry::new(&scene);
+    let mut check = |only: &[&str]| {
+        scene.lights[0].only = Some(only.iter().map(|&name| name.to_owned()).collect());
+        for (i, (linked, whole)) in picture(&scene, 1).radiance().iter().zip(whole.radiance()).enumerate() {
+            let (x, y) = ((i % 70) as f64 + 0.5, (i / 70) as f64 + 0.5);
+            let seen = geometry.nearest(scene.camera.eye, scene.camera.ray_direction(x, y, 70.0, 50.0));
+            let is_linked = |seen: &Seen| match seen.thing {
+                Thing::Surface(surface) => only.contains(&scene.surfaces[surface].name.as_str()),
+                Thing::Light(_) => true,
+            };
+            let expected = if seen.as_ref().is_some_and(is_linked) { *whole } else { DVec3::ZERO };
+            assert_eq!(*linked, expected, "pixel {x}, {y} of {only:?}");
+        }
+    };
+    check(&["ball"]);
+    // The ball's shadow stays on the floor.
+    check(&["floor"]);
+    check(&[]);
 }
 
 #[test]

@@ -63,9 +63,11 @@ impl Holds<'_> {
 
 /// All files that a scene names, with their places in it.
 fn named(scene: &Scene) -> Vec<Named<'_>> {
-    let patterns = scene.lights.iter().enumerate().filter_map(|(i, light)| {
-        let Pattern { file, image, contents } = pattern_of(light)?;
-        Some(Named { path: pattern_path(i), file, contents, holds: Holds::Pattern(image) })
+    let patterns = lists_of_lights(scene).into_iter().flat_map(|(path, lights)| {
+        lights.iter().enumerate().filter_map(move |(i, light)| {
+            let Pattern { file, image, contents } = pattern_of(light)?;
+            Some(Named { path: pattern_path(&path.index(i)), file, contents, holds: Holds::Pattern(image) })
+        })
     });
     let meshes = scene.surfaces.iter().enumerate().filter_map(|(i, surface)| {
         let Mesh { file, triangles, contents } = mesh_of(surface)?;
@@ -74,9 +76,36 @@ fn named(scene: &Scene) -> Vec<Named<'_>> {
     patterns.chain(meshes).collect()
 }
 
-/// The path of a light's pattern.
-pub(super) fn pattern_path(light: usize) -> super::Path {
-    super::Path::default().key("light").index(light).key("shape").key("textured").key("pattern")
+/// The scene's lights and those of each variant, with the path of each list.
+fn lists_of_lights(scene: &Scene) -> Vec<(super::Path, &[Light])> {
+    let variants = scene.variants.iter().enumerate();
+    let lights = variants.map(|(i, variant)| (variant_lights_path(i), variant.lights.as_slice()));
+    [(lights_path(), scene.lights.as_slice())].into_iter().chain(lights).collect()
+}
+
+/// All patterns of a scene, with their paths.
+pub(super) fn patterns_mut(scene: &mut Scene) -> Vec<(super::Path, &mut Pattern)> {
+    let variants = scene.variants.iter_mut().enumerate();
+    let lights = variants.map(|(i, variant)| (variant_lights_path(i), &mut variant.lights));
+    let lists = [(lights_path(), &mut scene.lights)].into_iter().chain(lights);
+    let patterns = lists.flat_map(|(path, lights)| {
+        let lights = lights.iter_mut().enumerate();
+        lights.filter_map(move |(i, light)| Some((pattern_path(&path.index(i)), pattern_mut(light)?)))
+    });
+    patterns.collect()
+}
+
+fn lights_path() -> super::Path {
+    super::Path::default().key("light")
+}
+
+fn variant_lights_path(variant: usize) -> super::Path {
+    super::Path::default().key("variant").index(variant).key("light")
+}
+
+/// The path of the pattern of the light at `light`.
+fn pattern_path(light: &super::Path) -> super::Path {
+    light.key("shape").key("textured").key("pattern")
 }
 
 /// The path of a mesh's file.
@@ -88,7 +117,7 @@ fn pattern_of(light: &Light) -> Option<&Pattern> {
     if let light::Shape::Textured(textured) = &light.shape { Some(&textured.pattern) } else { None }
 }
 
-pub(super) fn pattern_mut(light: &mut Light) -> Option<&mut Pattern> {
+fn pattern_mut(light: &mut Light) -> Option<&mut Pattern> {
     if let light::Shape::Textured(textured) = &mut light.shape { Some(&mut textured.pattern) } else { None }
 }
 
@@ -200,7 +229,7 @@ fn leaves_folder() -> io::Error {
 /// The scene as its text alone gives it.
 pub(super) fn unread(scene: &Scene) -> Scene {
     let mut scene = scene.clone();
-    for pattern in scene.lights.iter_mut().filter_map(pattern_mut) {
+    for (_, pattern) in patterns_mut(&mut scene) {
         *pattern = Pattern::unread(std::mem::take(&mut pattern.file));
     }
     for mesh in scene.surfaces.iter_mut().filter_map(mesh_mut) {
@@ -227,11 +256,12 @@ pub(super) fn ambiguous(scene: &Scene) -> Vec<Problem> {
 }
 
 /// Rename a light's pattern, `leaf.png` to `leaf-2.png`, while `others` have a different picture of its name.
-pub fn keep_apart(light: &mut Light, others: &[Light]) {
+pub fn keep_apart<'a>(light: &mut Light, others: impl IntoIterator<Item = &'a Light>) {
     let Some(pattern) = pattern_mut(light) else { return };
     let image = &pattern.image;
-    let others = || others.iter().filter_map(pattern_of);
-    pattern.file = free_name(&pattern.file, |file| others().any(|other| other.file == file && other.image != *image));
+    let others: Vec<_> = others.into_iter().filter_map(pattern_of).collect();
+    pattern.file =
+        free_name(&pattern.file, |file| others.iter().any(|other| other.file == file && other.image != *image));
 }
 
 /// [`keep_apart`] for a surface's mesh.

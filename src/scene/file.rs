@@ -6,7 +6,7 @@ use serde::Deserialize;
 use serde_json::json;
 
 use super::problem::Path;
-use super::{Camera, Display, FORMAT, Plot, Problem, Scene};
+use super::{Camera, Display, FORMAT, Plot, Problem, Scene, Variant};
 use crate::light::{Light, Quantity, QuantityKind, Shape, Tint};
 use crate::surface::{Material, Surface};
 
@@ -22,6 +22,10 @@ pub(super) struct File {
     /// What people call the scene.
     #[serde(default)]
     pub(super) name: String,
+    /// The name of the variant that the lights came from.
+    #[serde(default)]
+    #[schemars(with = "String")]
+    pub(super) active_variant: Option<String>,
     /// From where it is seen.
     #[serde(default)]
     pub(super) camera: Camera,
@@ -40,6 +44,21 @@ pub(super) struct File {
     /// Plots.
     #[serde(default)]
     pub(super) plot: Vec<Plot>,
+    /// Other states of the lights, to switch between.
+    #[serde(default)]
+    pub(super) variant: Vec<VariantEntry>,
+}
+
+/// A named state of the lights.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(rename = "Variant")]
+pub(super) struct VariantEntry {
+    /// Unique among the variants of a scene.
+    name: String,
+    /// Its lights.
+    #[serde(default)]
+    light: Vec<LightEntry>,
 }
 
 /// A light. It states exactly one quantity, and a color or a temperature but not both.
@@ -88,6 +107,14 @@ pub(super) struct LightEntry {
     /// A muted light contributes nothing.
     #[serde(default)]
     muted: bool,
+    /// The group that it is listed in.
+    #[serde(default)]
+    #[schemars(with = "String")]
+    group: Option<String>,
+    /// Names of the surfaces that it lights; all of them where this is left out.
+    #[serde(default)]
+    #[schemars(with = "Vec<String>")]
+    only: Option<Vec<String>>,
     /// Shape, in the light's own frame.
     shape: Shape,
 }
@@ -103,12 +130,12 @@ impl File {
     /// The scene that the file states, or what is contradictory in it.
     pub(super) fn into_scene(self) -> Result<Scene, Vec<Problem>> {
         let mut problems = Vec::new();
-        let mut lights = Vec::new();
-        for (i, entry) in self.light.into_iter().enumerate() {
-            match entry.into_light(&Path::default().key("light").index(i)) {
-                Ok(light) => lights.push(light),
-                Err(problem) => problems.push(problem),
-            }
+        let root = Path::default();
+        let lights = lights_of(self.light, &root, &mut problems);
+        let mut variants = Vec::new();
+        for (i, entry) in self.variant.into_iter().enumerate() {
+            let lights = lights_of(entry.light, &root.key("variant").index(i), &mut problems);
+            variants.push(Variant { name: entry.name, lights });
         }
         if !problems.is_empty() {
             return Err(problems);
@@ -121,8 +148,17 @@ impl File {
             surfaces: self.surface,
             lights,
             plots: self.plot,
+            variants,
+            active_variant: self.active_variant,
         })
     }
+}
+
+/// The lights of the table at `path`; what is contradictory in them is added to `problems`.
+fn lights_of(entries: Vec<LightEntry>, path: &Path, problems: &mut Vec<Problem>) -> Vec<Light> {
+    let path = path.key("light");
+    let lights = entries.into_iter().enumerate().map(|(i, entry)| entry.into_light(&path.index(i)));
+    lights.filter_map(|light| light.map_err(|problem| problems.push(problem)).ok()).collect()
 }
 
 impl LightEntry {
@@ -143,6 +179,8 @@ impl LightEntry {
             rotation_deg: self.rotation_deg,
             tint,
             muted: self.muted,
+            group: self.group,
+            only: self.only,
             shape: self.shape,
         })
     }

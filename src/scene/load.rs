@@ -47,7 +47,7 @@ pub fn parse_with(
     mut read: impl FnMut(&str) -> io::Result<Vec<u8>>,
 ) -> Result<Scene, LoadError> {
     let check = |scene: &mut Scene| {
-        let patterns = pattern::read_all(&mut scene.lights, &mut read);
+        let patterns = pattern::read_all(scene, &mut read);
         let meshes = mesh::read_all(&mut scene.surfaces, &mut read);
         [validate(scene), patterns, meshes].concat()
     };

@@ -220,8 +220,10 @@ fn lay_out(new: &mut Array, old: &Array) {
 fn unplaced(mut table: Table) -> Table {
     table.set_position(None);
     for (_, item) in table.iter_mut() {
-        if let Item::Table(inner) = item {
-            *inner = unplaced(std::mem::take(inner));
+        match item {
+            Item::Table(inner) => *inner = unplaced(std::mem::take(inner)),
+            Item::ArrayOfTables(inner) => *inner = std::mem::take(inner).into_iter().map(unplaced).collect(),
+            _ => {}
         }
     }
     table

@@ -16,6 +16,7 @@ mod save;
 mod schema;
 mod structure;
 mod validate;
+mod variant;
 
 pub use beside::{MAX_CONTENTS_BYTES, keep_apart, keep_mesh_apart};
 pub use camera::{Camera, Display};
@@ -29,6 +30,7 @@ pub use problem::{LoadError, Path, Place, Problem, Segment};
 pub use save::{SaveError, replace_file, save, save_as, to_toml};
 pub use schema::schema;
 pub use validate::validate;
+pub use variant::Variant;
 
 use crate::light::Light;
 use crate::surface::{Material, Surface};
@@ -53,6 +55,10 @@ pub struct Scene {
     pub lights: Vec<Light>,
     /// Plots, in file order.
     pub plots: Vec<Plot>,
+    /// Other states of the lights, in file order.
+    pub variants: Vec<Variant>,
+    /// The variant that the lights came from, and with which changes to them are stored.
+    pub active_variant: Option<String>,
 }
 
 impl Scene {

@@ -6,10 +6,9 @@ use std::sync::Arc;
 
 use image::{DynamicImage, ImageDecoder, ImageFormat, ImageReader, Limits};
 
-use super::Problem;
 use super::beside::{self, Imported};
+use super::{Problem, Scene};
 use crate::contents::Contents;
-use crate::light::Light;
 use crate::light::pattern::{Channel, Image, Pattern};
 
 /// Patterns have at most this many columns, and as many rows.
@@ -21,12 +20,11 @@ const MAX_TEXELS: u64 = 4 * (MAX_PATTERN_SIZE as u64).pow(2);
 /// Memory that a decoder may take for one pattern: four single-precision channels, twice over.
 const MAX_DECODER_BYTES: u64 = 32 * (MAX_PATTERN_SIZE as u64).pow(2);
 
-/// Read the patterns of lights, each file once; `read` gives the bytes of the file of a name. What is wrong with them
+/// Read the patterns of a scene, each file once; `read` gives the bytes of the file of a name. What is wrong with them
 /// is returned.
-pub(super) fn read_all(lights: &mut [Light], mut read: impl FnMut(&str) -> io::Result<Vec<u8>>) -> Vec<Problem> {
+pub(super) fn read_all(scene: &mut Scene, mut read: impl FnMut(&str) -> io::Result<Vec<u8>>) -> Vec<Problem> {
     let mut texels_left = MAX_TEXELS;
-    let lights = lights.iter_mut().enumerate();
-    let patterns = lights.filter_map(|(i, light)| Some((beside::pattern_path(i), beside::pattern_mut(light)?)));
+    let patterns = beside::patterns_mut(scene).into_iter();
     beside::read_each(patterns, |pattern| &pattern.file, |name| read_pattern(name, &mut read, &mut texels_left))
 }
 

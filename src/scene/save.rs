@@ -9,7 +9,7 @@ use serde::Serialize;
 use tempfile::{Builder, NamedTempFile};
 use toml::ser::ValueSerializer;
 
-use super::{Camera, Display, FORMAT, Plot, Problem, Scene, beside, load, merge, validate};
+use super::{Camera, Display, FORMAT, Plot, Problem, Scene, Variant, beside, load, merge, validate};
 use crate::light::{Light, Tint};
 use crate::surface::{Material, ReflectionModel, Surface};
 
@@ -75,10 +75,13 @@ pub fn save_as(scene: &Scene, path: impl AsRef<Path>, source: impl AsRef<Path>) 
 /// Equal scenes give equal texts. Defaults are left out; `[camera]` and `[display]` stand in a preset only if they
 /// differ from theirs.
 pub fn to_toml(scene: &Scene) -> String {
-    let Scene { name, camera, display, materials, surfaces, lights, plots } = scene;
+    let Scene { name, camera, display, materials, surfaces, lights, plots, variants, active_variant } = scene;
     let mut out = Table::default();
     out.key("format", &FORMAT);
     out.key_unless(name.is_empty(), "name", name);
+    if let Some(active) = active_variant {
+        out.key("active_variant", active);
+    }
     let is_preset = surfaces.is_empty();
     if !is_preset || *camera != Camera::default() {
         write_camera(&mut out, camera);
@@ -88,8 +91,9 @@ pub fn to_toml(scene: &Scene) -> String {
     }
     materials.iter().for_each(|material| write_material(&mut out, material));
     surfaces.iter().for_each(|surface| write_surface(&mut out, surface));
-    lights.iter().for_each(|light| write_light(&mut out, light));
+    lights.iter().for_each(|light| write_light(&mut out, "[[light]]", light));
     plots.iter().for_each(|plot| write_plot(&mut out, plot));
+    variants.iter().for_each(|variant| write_variant(&mut out, variant));
     out.0
 }
 
@@ -130,9 +134,16 @@ fn write_surface(out: &mut Table, surface: &Surface) {
     out.key("shape", shape);
 }
 
-fn write_light(out: &mut Table, light: &Light) {
-    let Light { name, position, rotation_deg, tint, quantity, muted, shape } = light;
-    out.header("[[light]]");
+fn write_variant(out: &mut Table, variant: &Variant) {
+    let Variant { name, lights } = variant;
+    out.header("[[variant]]");
+    out.key("name", name);
+    lights.iter().for_each(|light| write_light(out, "[[variant.light]]", light));
+}
+
+fn write_light(out: &mut Table, header: &str, light: &Light) {
+    let Light { name, position, rotation_deg, tint, quantity, muted, group, only, shape } = light;
+    out.header(header);
     out.key("name", name);
     out.key_unless(*position == Default::default(), "position", position);
     out.key_unless(*rotation_deg == Default::default(), "rotation_deg", rotation_deg);
@@ -142,6 +153,12 @@ fn write_light(out: &mut Table, light: &Light) {
     }
     out.key(quantity.kind().key(), &quantity.value());
     out.key_unless(!muted, "muted", muted);
+    if let Some(group) = group {
+        out.key("group", group);
+    }
+    if let Some(only) = only {
+        out.key("only", only);
+    }
     out.key("shape", shape);
 }
 

@@ -6,7 +6,7 @@ use std::ops::Bound::{self, Excluded, Included};
 use glam::DVec3;
 
 use super::nearest::{quoted, suggestion};
-use super::{Camera, Display, Path, Plot, PlotKind, Problem, Scene, beside};
+use super::{Camera, Display, Path, Plot, PlotKind, Problem, Scene, Variant, beside};
 use crate::light::{Light, Line, LineEmission, Polygon, Shape, Sky, Sphere, Tint, luminance_of};
 use crate::surface::{self, MOST_FLAKE_DEPTH, MOST_TETRAHEDRON_DEPTH, Material, ReflectionModel, Surface};
 
@@ -27,7 +27,7 @@ const MOST_VERTICES: usize = 1024;
 
 /// All that is wrong with a scene's values, with the paths that a scene file gives them.
 pub fn validate(scene: &Scene) -> Vec<Problem> {
-    let Scene { name, camera, display, materials, surfaces, lights, plots } = scene;
+    let Scene { name, camera, display, materials, surfaces, lights, plots, variants, active_variant } = scene;
     let mut checker = Checker { scene, problems: Vec::new() };
     let root = Path::default();
     checker.text(&root.key("name"), name);
@@ -37,6 +37,10 @@ pub fn validate(scene: &Scene) -> Vec<Problem> {
     checker.each(&root.key("surface"), surfaces, |surface| &surface.name, Checker::surface);
     checker.each(&root.key("light"), lights, |light| &light.name, Checker::light);
     checker.each(&root.key("plot"), plots, |plot| &plot.name, Checker::plot);
+    checker.each(&root.key("variant"), variants, |variant| &variant.name, Checker::variant);
+    if let Some(active) = active_variant {
+        checker.variant_name(&root.key("active_variant"), active);
+    }
     checker.problems.extend(beside::ambiguous(scene));
     checker.problems
 }
@@ -182,8 +186,34 @@ impl Checker<'_> {
         }
     }
 
+    fn variant(&mut self, path: &Path, variant: &Variant) {
+        let Variant { name: _, lights } = variant;
+        self.each(&path.key("light"), lights, |light| &light.name, Self::light);
+    }
+
+    /// What a light says of other things: its group and the surfaces that it lights.
+    fn belonging(&mut self, path: &Path, group: Option<&String>, only: &[String]) {
+        if let Some(group) = group {
+            self.text(&path.key("group"), group);
+            if group.is_empty() {
+                self.report(&path.key("group"), "is empty; write a name, or leave it out");
+            }
+        }
+        let mut names = BTreeSet::new();
+        for (i, name) in only.iter().enumerate() {
+            let path = path.key("only").index(i);
+            if !self.scene.surfaces.iter().any(|surface| surface.name == *name) {
+                let known = self.scene.surfaces.iter().map(|surface| surface.name.as_str());
+                self.report(&path, format!("there is no surface `{name}`; {}", suggestion(name, known)));
+            } else if !names.insert(name) {
+                self.report(&path, format!("`{name}` is there twice; write each surface once"));
+            }
+        }
+    }
+
     fn light(&mut self, path: &Path, light: &Light) {
-        let Light { name: _, position, rotation_deg, tint, quantity, muted: _, shape } = light;
+        let Light { name: _, position, rotation_deg, tint, quantity, muted: _, group, only, shape } = light;
+        self.belonging(path, group.as_ref(), only.as_deref().unwrap_or_default());
         self.vector(&path.key("position"), *position, &COORDINATE);
         self.vector(&path.key("rotation_deg"), *rotation_deg, &ANGLE_DEG);
         match *tint {
@@ -328,6 +358,13 @@ impl Checker<'_> {
         if self.scene.material(name).is_none() {
             let names = self.scene.materials.iter().map(|material| material.name.as_str());
             self.report(path, format!("there is no material `{name}`; {}", suggestion(name, names)));
+        }
+    }
+
+    fn variant_name(&mut self, path: &Path, name: &str) {
+        if self.scene.variant(name).is_none() {
+            let names = self.scene.variants.iter().map(|variant| variant.name.as_str());
+            self.report(path, format!("there is no variant `{name}`; {}", suggestion(name, names)));
         }
     }
 

@@ -61,7 +61,13 @@ fn check(name: &str, scene: &Scene, method: Method) {
 fn difference(scene: &Scene, method: Method, tolerance: f64) -> Difference {
     let settings = Settings { size: SIZE, choice: MethodChoice::Method(method), samples: 1, shadows: Shadows::None };
     let film = render(scene, &settings, &Progress::default()).expect("nobody cancels");
-    let view = View {
+    let pixels = picture(&CONTEXT, scene, &bare_view(scene, method)).expect("the picture comes back");
+    compare(scene, &film, &pixels.radiance, &pixels.srgb, tolerance)
+}
+
+/// Through the scene's own camera, without shadows.
+fn bare_view(scene: &Scene, method: Method) -> View {
+    View {
         camera: scene.camera,
         size: SIZE,
         method,
@@ -69,9 +75,7 @@ fn difference(scene: &Scene, method: Method, tolerance: f64) -> Difference {
         show_emitters: true,
         shadows: false,
         refine: false,
-    };
-    let pixels = picture(&CONTEXT, scene, &view).expect("the picture comes back");
-    compare(scene, &film, &pixels.radiance, &pixels.srgb, tolerance)
+    }
 }
 
 fn compare(scene: &Scene, film: &Film, radiance: &[[f32; 3]], srgb: &[[u8; 4]], tolerance: f64) -> Difference {
@@ -157,6 +161,22 @@ fn every_primitive_and_light_looks_the_same() {
     for method in methods {
         check("everything", &scene, method.parse().expect("a method"));
     }
+}
+
+/// Every third light reaches half of the surfaces, another third the other half: parts of batches, meshes too.
+#[test]
+fn linked_lights_look_the_same_and_not_as_lights_that_reach_everything() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/everything.toml");
+    let mut scene = scene::load(&path).expect("the scene loads");
+    let whole = picture(&CONTEXT, &scene, &bare_view(&scene, Method::Exact)).expect("the picture comes back");
+    let names: Vec<_> = scene.surfaces.iter().map(|surface| surface.name.clone()).collect();
+    for (i, light) in scene.lights.iter_mut().enumerate().filter(|(i, _)| i % 3 < 2) {
+        light.only = Some(names.iter().skip(i % 3).step_by(2).cloned().collect());
+    }
+    check("linked", &scene, Method::Exact);
+    let linked = picture(&CONTEXT, &scene, &bare_view(&scene, Method::Exact)).expect("the picture comes back");
+    let changed = whole.srgb.iter().zip(&linked.srgb).filter(|(a, b)| a != b).count();
+    assert!(4 * changed > whole.srgb.len(), "links darken what they leave out: {changed} pixels");
 }
 
 #[test]

@@ -62,6 +62,8 @@ fn light(name: &str, x: f64, kind: QuantityKind, shape: Shape) -> Light {
         tint: Tint::default(),
         quantity: Quantity::new(kind, 1000.0),
         muted: false,
+        group: None,
+        only: None,
         shape,
     }
 }
@@ -136,6 +138,12 @@ fn work_follows_change() {
     bench.check_cost("and added again, last", Stats { layers: 1, ..COMPOSITE });
     bench.scene.lights.swap(0, 1);
     bench.check_cost("the order of the lights", COMPOSITE);
+    bench.scene.lights[0].only = Some(vec!["ball".to_owned()]);
+    bench.check_cost("a link", COMPOSITE);
+    bench.scene.lights[0].only = None;
+    bench.check_cost("no link", COMPOSITE);
+    bench.scene.lights[0].group = Some("key".to_owned());
+    bench.check_cost("a group", NOTHING);
     let mut copy = bench.scene.lights[0].clone();
     copy.name = "copy".to_owned();
     bench.scene.lights.push(copy);

@@ -7,6 +7,7 @@ mod random;
 mod refusals;
 mod saving;
 mod surfaces;
+mod variants;
 
 use std::fs;
 use std::path::Path;

@@ -7,7 +7,7 @@ use glam::{DVec2, DVec3};
 use proptest::prelude::*;
 use softbox::light::pattern::Pattern;
 use softbox::light::{self, Light, Quantity, Tint};
-use softbox::scene::{self, Camera, Display, Plot, PlotKind, PlotQuantity, Scene};
+use softbox::scene::{self, Camera, Display, Plot, PlotKind, PlotQuantity, Scene, Variant};
 use softbox::surface::{self, Material, Mesh, ReflectionModel, Surface};
 
 use super::WINDOW;
@@ -123,11 +123,15 @@ fn tint() -> impl Strategy<Value = Tint> {
 }
 
 fn any_light() -> impl Strategy<Value = Light> {
-    (name(), vector(), vector(), tint(), any::<bool>(), light_shape(), any::<bool>(), positive()).prop_map(
-        |(name, position, rotation_deg, tint, muted, shape, last, value)| {
+    let quantity = (any::<bool>(), positive());
+    // Names of surfaces that the scene may have or not; see `link`.
+    let only = proptest::option::of(proptest::collection::vec("[0-3]", 0..4));
+    let belonging = (proptest::option::of(name()), only);
+    (name(), vector(), vector(), tint(), any::<bool>(), light_shape(), quantity, belonging).prop_map(
+        |(name, position, rotation_deg, tint, muted, shape, (last, value), (group, only))| {
             let kinds = shape.quantity_kinds();
-            let kind = kinds[if last { kinds.len() - 1 } else { 0 }];
-            Light { name, position, rotation_deg, tint, quantity: Quantity::new(kind, value), muted, shape }
+            let quantity = Quantity::new(kinds[if last { kinds.len() - 1 } else { 0 }], value);
+            Light { name, position, rotation_deg, tint, quantity, muted, group, only, shape }
         },
     )
 }
@@ -192,6 +196,21 @@ fn number_names<T>(entries: &mut [T], name_of: impl Fn(&mut T) -> &mut String) {
     }
 }
 
+/// Let the names of surfaces that lights are linked to be those of the scene's, each once.
+fn link(scene: &mut Scene) {
+    let names: Vec<_> = scene.surfaces.iter().map(|surface| surface.name.clone()).collect();
+    for only in scene.all_lights_mut().filter_map(|light| light.only.as_mut()) {
+        *only = names.iter().filter(|name| only.iter().any(|end| name.ends_with(end.as_str()))).cloned().collect();
+    }
+}
+
+fn any_variant() -> impl Strategy<Value = Variant> {
+    (name(), proptest::collection::vec(any_light(), 0..3)).prop_map(|(name, mut lights)| {
+        number_names(&mut lights, |light| &mut light.name);
+        Variant { name, lights }
+    })
+}
+
 fn any_scene() -> impl Strategy<Value = Scene> {
     use proptest::collection::vec;
     let camera = (vector(), 0.1..179.0)
@@ -199,8 +218,10 @@ fn any_scene() -> impl Strategy<Value = Scene> {
         .prop_filter("the camera looks somewhere within the limits", |camera| camera.target.max_element() < 1e9);
     let display = (-100.0..=100.0).prop_map(|exposure_ev| Display { exposure_ev });
     let view = (name(), camera, display, any_model());
-    (view, vec(any_surface(), 0..4), vec(any_light(), 0..4), vec(any_plot(), 0..3)).prop_map(
-        |((name, camera, display, model), mut surfaces, mut lights, mut plots)| {
+    let variants = (vec(any_variant(), 0..3), any::<bool>());
+    (view, vec(any_surface(), 0..4), vec(any_light(), 0..4), vec(any_plot(), 0..3), variants).prop_map(
+        |((name, camera, display, model), mut surfaces, mut lights, mut plots, (mut variants, is_active))| {
+            number_names(&mut variants, |variant| &mut variant.name);
             number_names(&mut surfaces, |surface| &mut surface.name);
             number_names(&mut lights, |light| &mut light.name);
             number_names(&mut plots, |plot| &mut plot.name);
@@ -211,7 +232,12 @@ fn any_scene() -> impl Strategy<Value = Scene> {
                 model,
                 exponent: 1.5,
             };
-            Scene { name, camera, display, materials: vec![clay], surfaces, lights, plots }
+            let active_variant = variants.first().map(|variant| variant.name.clone()).filter(|_| is_active);
+            let materials = vec![clay];
+            let mut scene =
+                Scene { name, camera, display, materials, surfaces, lights, plots, variants, active_variant };
+            link(&mut scene);
+            scene
         },
     )
 }
@@ -243,7 +269,12 @@ fn any_edit() -> impl Strategy<Value = (Scene, Scene)> {
         let surfaces = edited(&old.surfaces, &new.surfaces, &choices, |surface| &mut surface.name);
         let lights = edited(&old.lights, &new.lights, &choices, |light| &mut light.name);
         let plots = edited(&old.plots, &new.plots, &choices, |plot| &mut plot.name);
-        (old, Scene { surfaces, lights, plots, ..new })
+        let variants = edited(&old.variants, &new.variants, &choices, |variant| &mut variant.name);
+        let is_there = |name: &String| variants.iter().any(|variant| variant.name == *name);
+        let active_variant = new.active_variant.clone().filter(is_there);
+        let mut new = Scene { surfaces, lights, plots, variants, active_variant, ..new };
+        link(&mut new);
+        (old, new)
     })
 }
 

@@ -281,7 +281,7 @@ fn unknown_names_are_refused_and_the_known_ones_told() {
     check(
         "position = [0.0, 0.0, 2.0]",
         "scale = [2.0, 1.0, 1.0]",
-        "window.toml:25:1: light[0].scale: is not known here; known are `color`, `flux`, `illuminance`, `intensity`, `intensity_per_metre`, `luminance`, `muted`, `name`, `position`, `rotation_deg`, `shape`, `temperature_k`",
+        "window.toml:25:1: light[0].scale: is not known here; known are `color`, `flux`, `group`, `illuminance`, `intensity`, `intensity_per_metre`, `luminance`, `muted`, `name`, `only`, `position`, `rotation_deg`, `shape`, `temperature_k`",
     );
 }
 
@@ -405,7 +405,7 @@ fn every_problem_is_told_at_once_in_the_order_of_the_text() {
     insta::assert_snapshot!(refusal(text), @r#"
 window.toml:4:8: light[0].name: must be text in quotes, but is the number 3
 window.toml:5:9: light[0].shape: must be a table with one of `polygon`, `line`, `sphere`, `disk`, `textured`, `cap`, `sky`, `point`, `directional`, but is the number 3
-window.toml:6:1: light[0].x: is not known here; known are `color`, `flux`, `illuminance`, `intensity`, `intensity_per_metre`, `luminance`, `muted`, `name`, `position`, `rotation_deg`, `shape`, `temperature_k`
+window.toml:6:1: light[0].x: is not known here; known are `color`, `flux`, `group`, `illuminance`, `intensity`, `intensity_per_metre`, `luminance`, `muted`, `name`, `only`, `position`, `rotation_deg`, `shape`, `temperature_k`
 window.toml:8:1: plot[0].name: is missing; write text in quotes (Unique among the plots of a scene)
 window.toml:8:1: plot[0].range: is missing; write a list of 2 numbers (First and last abscissa: degrees for `tilt` and `view`, metres for `line` and `distance`)
 window.toml:9:8: plot[0].kind: `tilted` is not known; known are `tilt`, `view`, `line`, `distance`

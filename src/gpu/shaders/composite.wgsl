@@ -41,6 +41,8 @@ const SKY = 4u;
 @group(0) @binding(2) var<storage, read> reflectances: array<Reflectance>;
 @group(0) @binding(3) var<storage, read> emitters: array<VisibleEmitter>;
 @group(0) @binding(4) var<storage, read> emitter_vertices: array<vec4f>;
+// Of each item that may be seen.
+@group(0) @binding(5) var<storage, read> surfaces: array<u32>;
 
 @group(1) @binding(0) var<uniform> composite_batch: Composite;
 @group(1) @binding(1) var before: texture_2d<f32>;
@@ -56,6 +58,8 @@ const SKY = 4u;
 @group(1) @binding(11) var shadow_3: texture_2d<f32>;
 @group(1) @binding(12) var shadow_4: texture_2d<f32>;
 @group(1) @binding(13) var shadow_5: texture_2d<f32>;
+// Of each surface, a bit for each layer that lights it.
+@group(1) @binding(14) var<storage, read> reached: array<u32>;
 
 @fragment
 fn composite(@builtin(position) pixel: vec4f) -> @location(0) vec4f {
@@ -84,19 +88,21 @@ struct ColoredResponse {
 }
 
 fn sum_of_layers(at: vec2i) -> ColoredResponse {
+    let linked = reached[surfaces[u32(textureLoad(positions, at, 0).w) - 1u]];
     let none = ColoredResponse(vec3f(), vec3f());
-    let a = weighed(0u, textureLoad(layer_0, at, 0), textureLoad(shadow_0, at, 0), none);
-    let b = weighed(1u, textureLoad(layer_1, at, 0), textureLoad(shadow_1, at, 0), a);
-    let c = weighed(2u, textureLoad(layer_2, at, 0), textureLoad(shadow_2, at, 0), b);
-    let d = weighed(3u, textureLoad(layer_3, at, 0), textureLoad(shadow_3, at, 0), c);
-    let e = weighed(4u, textureLoad(layer_4, at, 0), textureLoad(shadow_4, at, 0), d);
-    return weighed(5u, textureLoad(layer_5, at, 0), textureLoad(shadow_5, at, 0), e);
+    let a = weighed(0u, linked, textureLoad(layer_0, at, 0), textureLoad(shadow_0, at, 0), none);
+    let b = weighed(1u, linked, textureLoad(layer_1, at, 0), textureLoad(shadow_1, at, 0), a);
+    let c = weighed(2u, linked, textureLoad(layer_2, at, 0), textureLoad(shadow_2, at, 0), b);
+    let d = weighed(3u, linked, textureLoad(layer_3, at, 0), textureLoad(shadow_3, at, 0), c);
+    let e = weighed(4u, linked, textureLoad(layer_4, at, 0), textureLoad(shadow_4, at, 0), d);
+    return weighed(5u, linked, textureLoad(layer_5, at, 0), textureLoad(shadow_5, at, 0), e);
 }
 
-fn weighed(index: u32, response: vec4f, shadow: vec4f, sum: ColoredResponse) -> ColoredResponse {
+fn weighed(index: u32, linked: u32, response: vec4f, shadow: vec4f, sum: ColoredResponse) -> ColoredResponse {
     let weight = composite_batch.weights[index];
+    let color = select(vec3f(), weight.xyz, ((linked >> index) & 1u) == 1u);
     let seen = response.xy * select(vec2f(1.0), share_seen(shadow), weight.w == 1.0);
-    return ColoredResponse(sum.irradiance + weight.xyz * seen.x, sum.specular + weight.xyz * seen.y);
+    return ColoredResponse(sum.irradiance + color * seen.x, sum.specular + color * seen.y);
 }
 
 // Of E and of S, from the sums of `shadow.wgsl`. Where no ray says anything of S, it is as E; where none says anything
