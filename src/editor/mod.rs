@@ -9,11 +9,13 @@ pub mod dialogs;
 pub mod files;
 pub mod handles;
 pub mod jobs;
+pub mod light_list;
 pub mod panes;
 pub mod presets;
 pub mod session;
 pub mod theme;
 pub mod tools;
+pub mod variants;
 pub mod viewport;
 
 mod edits;

@@ -7,6 +7,7 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use super::variants;
 use crate::scene::{Camera, History, Scene};
 use crate::shading::Method;
 
@@ -62,6 +63,8 @@ pub struct ViewState {
     pub refines: bool,
     /// Whether the ground grid is drawn.
     pub show_grid: bool,
+    /// The place of the variant whose lights are shown; none for the scene's own lights.
+    pub variant: Option<usize>,
 }
 
 /// What the viewport is asked to bring into view; it knows how large it is, so it moves the camera.
@@ -128,13 +131,14 @@ pub struct Session {
     /// Messages that have not been shown yet.
     pub notices: Vec<Notice>,
     solo: BTreeSet<String>,
-    shown: Option<Shown>,
+    shown: Vec<Shown>,
 }
 
-/// The scene with solo applied, and what it was made from.
+/// The scene with a variant's lights and solo applied, and what it was made from.
 #[derive(Debug)]
 struct Shown {
     source: Arc<Scene>,
+    variant: Option<usize>,
     solo: BTreeSet<String>,
     scene: Arc<Scene>,
 }
@@ -252,6 +256,13 @@ impl Tool {
     }
 }
 
+impl ViewState {
+    /// Follow the variant that is shown from one state of the document to another.
+    pub fn follow(&mut self, from: &Scene, to: &Scene) {
+        self.variant = self.variant.and_then(|index| variants::follow(index, from, to));
+    }
+}
+
 impl Default for WorkPlane {
     fn default() -> Self {
         Self { height: 2.0, snap: true, grid: 0.1 }
@@ -268,6 +279,7 @@ impl Session {
             show_shadows: true,
             refines: true,
             show_grid: true,
+            variant: None,
         };
         Self {
             history: History::new(scene),
@@ -281,7 +293,7 @@ impl Session {
             hint: String::new(),
             notices: Vec::new(),
             solo: BTreeSet::new(),
-            shown: None,
+            shown: Vec::new(),
         }
     }
 
@@ -304,24 +316,36 @@ impl Session {
     ///
     /// The same `Arc` is returned until something changes.
     pub fn shown(&mut self) -> Arc<Scene> {
+        self.shown_with(None)
+    }
+
+    /// [`Self::shown`] as a view looks at it: with the lights of a variant where the view is of one.
+    pub fn shown_for(&mut self, view: &ViewState) -> Arc<Scene> {
+        self.shown_with(view.variant)
+    }
+
+    /// The document as it is shown, with the lights of the variant of that place.
+    fn shown_with(&mut self, variant: Option<usize>) -> Arc<Scene> {
         let source = Arc::clone(self.history.scene());
-        self.solo.retain(|name| source.lights.iter().any(|light| light.name == *name));
-        if self.solo.is_empty() {
-            self.shown = None;
+        self.solo.retain(|name| source.all_lights().any(|light| light.name == *name));
+        let solo = &self.solo;
+        self.shown.retain(|shown| Arc::ptr_eq(&shown.source, &source) && shown.solo == *solo);
+        let lights = variant.and_then(|index| source.variants.get(index)).map(|variant| &variant.lights);
+        if solo.is_empty() && lights.is_none() {
             return source;
         }
-        if let Some(shown) = &self.shown
-            && Arc::ptr_eq(&shown.source, &source)
-            && shown.solo == self.solo
-        {
+        if let Some(shown) = self.shown.iter().find(|shown| shown.variant == variant) {
             return Arc::clone(&shown.scene);
         }
         let mut scene = Scene::clone(&source);
-        for light in &mut scene.lights {
-            light.muted |= !self.solo.contains(&light.name);
+        if let Some(lights) = lights {
+            scene.lights.clone_from(lights);
+        }
+        for light in scene.lights.iter_mut().filter(|_| !solo.is_empty()) {
+            light.muted |= !solo.contains(&light.name);
         }
         let scene = Arc::new(scene);
-        self.shown = Some(Shown { source, solo: self.solo.clone(), scene: Arc::clone(&scene) });
+        self.shown.push(Shown { source, variant, solo: solo.clone(), scene: Arc::clone(&scene) });
         scene
     }
 
@@ -359,7 +383,9 @@ impl Session {
     fn with_history<R>(&mut self, change: impl FnOnce(&mut History) -> R) {
         let before = Arc::clone(self.history.scene());
         change(&mut self.history);
-        self.selection.follow(&before, self.history.scene());
+        let after = self.history.scene();
+        self.selection.follow(&before, after);
+        self.view.follow(&before, after);
     }
 
     /// Whether any light is soloed.

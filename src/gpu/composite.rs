@@ -218,7 +218,8 @@ impl CompositePass {
     pub(crate) fn new(device: &wgpu::Device) -> Self {
         use Binding::{Storage, Texture, Uniform};
         let scene_layout = pass::bind_group_layout(device, &[Texture, Texture, Storage, Storage, Storage, Storage]);
-        let batch_layout = pass::bind_group_layout(device, &[&[Uniform, Texture][..], &[Texture; 2 * BATCH], &[Storage]].concat());
+        let batch_layout =
+            pass::bind_group_layout(device, &[&[Uniform, Texture][..], &[Texture; 2 * BATCH], &[Storage]].concat());
         let tone_layout = pass::bind_group_layout(device, &[Texture, Texture, Texture, Uniform]);
         let [sum, tone] = Self::sources();
         Self {

@@ -18,7 +18,8 @@ fn groups_links_and_variants_are_read_and_written_byte_for_byte() {
     assert!(scene.lights[0].reaches("ball") && !scene.lights[0].reaches("floor"), "linked to the ball");
     assert!(scene.lights[1].reaches("floor"), "a light without links reaches everything");
     let names = |lights: &[softbox::light::Light]| lights.iter().map(|light| light.name.clone()).collect::<Vec<_>>();
-    let variants: Vec<_> = scene.variants.iter().map(|variant| (variant.name.as_str(), names(&variant.lights))).collect();
+    let variants: Vec<_> =
+        scene.variants.iter().map(|variant| (variant.name.as_str(), names(&variant.lights))).collect();
     assert_eq!(variants, [("evening", vec!["lamp".to_owned()]), ("dark", Vec::new())], "the variants");
     assert_eq!(scene.active_variant.as_deref(), Some("evening"), "the active one");
     assert_eq!(scene::to_toml(&scene), EVENING, "saving what was loaded changes nothing");
@@ -37,7 +38,11 @@ fn a_group_without_name_and_links_to_nothing_known_are_refused() {
     check(passage, &shape("only = [\"floor\", \"floor\"]"), expected);
     let expected = "window.toml:27:8: light[0].only: must be a list, but is text";
     check(passage, &shape("only = \"floor\""), expected);
-    check(passage, &shape("only = [1]"), "window.toml:27:9: light[0].only[0]: must be text in quotes, but is the number 1");
+    check(
+        passage,
+        &shape("only = [1]"),
+        "window.toml:27:9: light[0].only[0]: must be text in quotes, but is the number 1",
+    );
 }
 
 #[test]
@@ -50,7 +55,8 @@ fn the_lights_of_variants_are_held_to_the_same_rules() {
     let expected = "evening.toml:49:17: variant[0].light[0].temperature_k: must be at least 1000, but is 27.0; \
                     write kelvins from 1000.0 to 40000.0";
     assert_eq!(refusal("2700.0", "27"), expected, "a value");
-    let expected = "evening.toml:46:1: variant[0].light[0]: does not say how bright it is; a `sphere` takes `luminance` or `flux`";
+    let expected =
+        "evening.toml:46:1: variant[0].light[0]: does not say how bright it is; a `sphere` takes `luminance` or `flux`";
     assert_eq!(refusal("flux = 800.0\n", ""), expected, "what is contradictory");
     let expected = "evening.toml:51:9: variant[0].light[0].shape: has both `point` and `sphere`; keep one of the two";
     let shape = "{ sphere = { radius = 0.1 } }";
@@ -63,7 +69,8 @@ fn the_lights_of_variants_are_held_to_the_same_rules() {
 
 #[test]
 fn a_pattern_that_only_a_variant_has_is_looked_for_too() {
-    let text = WINDOW.to_owned() + "\n[[variant]]\nname = \"leaves\"\n\n[[variant.light]]\nname = \"gobo\"\nflux = 100.0\n"
+    let text = WINDOW.to_owned()
+        + "\n[[variant]]\nname = \"leaves\"\n\n[[variant.light]]\nname = \"gobo\"\nflux = 100.0\n"
         + "shape = { textured = { size = [1.0, 1.0], pattern = \"leaf.png\" } }\n";
     let error = scene::parse(&text, "window.toml").expect_err("there is no such file").to_string();
     let place = "window.toml:35:53: variant[0].light[0].shape.textured.pattern: `leaf.png` cannot be read";

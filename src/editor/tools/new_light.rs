@@ -53,7 +53,17 @@ pub fn line_placement(a: DVec3, b: DVec3) -> Option<(DVec3, DVec3, f64)> {
 
 fn light(position: DVec3, rotation_deg: DVec3, quantity: Quantity, shape: Shape) -> Light {
     let name = shape.name().to_owned();
-    Light { name, position, rotation_deg, tint: Tint::default(), quantity, muted: false, group: None, only: None, shape }
+    Light {
+        name,
+        position,
+        rotation_deg,
+        tint: Tint::default(),
+        quantity,
+        muted: false,
+        group: None,
+        only: None,
+        shape,
+    }
 }
 
 /// Centre of area of a simple polygon, to a millimetre, so that files stay readable.

@@ -128,7 +128,8 @@ impl Viewport {
     }
 
     fn paint_picture(&mut self, ui: &Ui, rect: Rect, session: &mut Session) {
-        let shown = session.shown();
+        let view = session.view;
+        let shown = session.shown_for(&view);
         let view = View {
             camera: session.view.camera,
             size: [rect.width(), rect.height()].map(|side| physical(side, ui.ctx().pixels_per_point())),
