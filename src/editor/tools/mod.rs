@@ -1,5 +1,6 @@
 //! Drawing new lights: what each tool has drawn so far, and what a click, a drag or a key does to it.
 
+pub mod drawing;
 pub mod new_light;
 pub mod polygon;
 pub mod work_plane;
