@@ -22,7 +22,7 @@ use egui::{Align2, Color32, Rect, Sense, Ui, WidgetInfo, pos2, vec2};
 use self::bounds::Ball;
 use self::overlay::Grid;
 use self::pick::Solids;
-use self::picture::Picture;
+use self::picture::{Haste, Picture};
 use self::pointer::Pointer;
 use self::projection::Projection;
 use super::session::{Framing, Item, Session};
@@ -59,6 +59,8 @@ pub struct Viewport {
 
 /// Outlines of surfaces that no light shows.
 const IN_THE_DARK: Color32 = Color32::from_gray(0x70);
+/// The pointer has not moved for so long where nobody acts, seconds.
+const CALM_AFTER: f32 = 0.5;
 /// A pane narrower than this shows nothing, points.
 const LEAST_SIDE: f32 = 8.0;
 /// A pane narrower than this has no room for controls, points.
@@ -139,10 +141,16 @@ impl Viewport {
             shadows: session.view.show_shadows,
             refine: session.view.refines && !self.pointer.is_dragging(),
         };
-        let texture = self.picture.render(&shown, &view, self.pointer.is_dragging());
+        let quiet = ui.input(|input| input.events.is_empty() && input.pointer.time_since_last_movement() > CALM_AFTER);
+        let haste = match self.pointer.is_dragging() {
+            true => Haste::Dragging,
+            false if quiet => Haste::Calm,
+            false => Haste::Acting,
+        };
+        let texture = self.picture.render(&shown, &view, haste);
         let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
         ui.painter().image(texture, rect, whole, Color32::WHITE);
-        if view.refine && !self.picture.is_converged() {
+        if self.picture.is_behind() || (view.refine && !self.picture.is_converged()) {
             ui.ctx().request_repaint();
         }
     }

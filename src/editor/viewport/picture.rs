@@ -1,7 +1,5 @@
 //! The live picture as a texture of the window.
 
-use std::sync::Arc;
-use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
 use eframe::egui_wgpu::RenderState;
@@ -12,8 +10,11 @@ use crate::scene::Scene;
 
 /// A frame may take this long while something is dragged, before resolution is lowered.
 const FRAME_BUDGET: Duration = Duration::from_millis(40);
-/// A band of refinement may take this many times as long: a click waits for no more.
+/// A band of refinement may take this many times as long.
 const REFINE_SHARE: u32 = 2;
+/// And this many times while nobody acts, so that most of the time is not spent on drawing the rest of the window: the
+/// next click waits for no more.
+const CALM_SHARE: u32 = 6;
 /// The window never waits longer than this for the device.
 const LONGEST_WAIT: Duration = Duration::from_secs(1);
 /// Bands of a layer, at most.
@@ -24,15 +25,27 @@ const SCALES: [f32; 5] = [1.0, 0.7, 0.5, 0.35, 0.25];
 /// A step down in resolution that leaves more than this share of the cost is not worth it.
 const LEAST_GAIN: f32 = 0.85;
 
+/// What the user is doing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Haste {
+    /// Dragging something in the picture: every frame counts, and may have fewer pixels.
+    Dragging,
+    /// Anything else.
+    Acting,
+    /// Nothing, for a while.
+    Calm,
+}
+
 /// A [`Preview`] shown by egui.
 pub struct Picture {
     render_state: RenderState,
     preview: Preview,
     texture: Option<(wgpu::TextureView, TextureId)>,
     pace: Pace,
-    clock: Clock,
     /// Bands that refinement is cut into, so that each takes about [`REFINE_SHARE`] frames' budget.
     bands: u32,
+    /// The device was too busy for what was asked for last.
+    is_behind: bool,
 }
 
 impl Picture {
@@ -43,8 +56,8 @@ impl Picture {
             preview: Preview::new(&render_state.device, &render_state.queue),
             texture: None,
             pace: Pace::new(FRAME_BUDGET),
-            clock: Clock::default(),
             bands: 1,
+            is_behind: false,
         }
     }
 
@@ -53,33 +66,43 @@ impl Picture {
         self.pace.budget = budget;
     }
 
-    /// The picture of `scene`, where `view.size` is the pane in physical pixels. While `dragging` fewer pixels may be
-    /// shaded, and a picture that is still refines a little with each call.
-    pub fn render(&mut self, scene: &Scene, view: &View, dragging: bool) -> TextureId {
+    /// The picture of `scene`, where `view.size` is the pane in physical pixels. While something is dragged fewer pixels may
+    /// be shaded, and a picture that is still refines a little with each call. It stays as it was while the device is busy:
+    /// see [`Self::is_behind`].
+    pub fn render(&mut self, scene: &Scene, view: &View, haste: Haste) -> TextureId {
         let RenderState { device, queue, renderer, .. } = &self.render_state;
-        // What refines waits until the device is free, so that the window never waits for more than a band of it.
-        let waits = !dragging && self.clock.is_running();
-        let budget = self.pace.budget.saturating_mul(REFINE_SHARE);
-        let wait = wgpu::PollType::Wait { submission_index: None, timeout: Some(budget.min(LONGEST_WAIT)) };
-        // A poll fails where the work takes longer, or the device was lost, which eframe reports.
-        let polled = device.poll(if waits { wait } else { wgpu::PollType::Poll }).is_ok();
-        match self.clock.read().filter(|_| polled) {
-            Some(cost) if dragging => self.pace.learn(cost),
-            cost if !dragging => {
-                self.pace.rest();
-                self.bands = cost.map_or(self.bands, |cost| bands_after(self.bands, cost, budget));
-                self.preview.refine_in_bands(self.bands);
-            }
-            _ => {}
+        let share = match haste {
+            Haste::Dragging => 1,
+            Haste::Acting => REFINE_SHARE,
+            Haste::Calm => CALM_SHARE,
+        };
+        let dragging = haste == Haste::Dragging;
+        let patience = self.pace.budget.saturating_mul(share);
+        // What was handed in before is done first, so that work never piles up and what follows has a cost of its own.
+        self.is_behind = !wait(device, patience);
+        if let (true, Some((_, id))) = (self.is_behind, &self.texture) {
+            return *id;
         }
         let limit = device.limits().max_texture_dimension_2d;
         let scale = if dragging { self.pace.scale() } else { 1.0 };
         let size = view.size.map(|side| scaled(side, scale).clamp(1, limit));
-        let view = View { size, refine: view.refine && !self.clock.is_running(), ..*view };
+        let view = View { size, ..*view };
         let before = self.preview.stats();
+        self.preview.refine_in_bands(self.bands);
+        let start = Instant::now();
         let target = self.preview.render(device, queue, scene, &view).clone();
-        if self.preview.stats() != before {
-            self.clock.start(queue);
+        let worked = self.preview.stats() != before || (view.refine && !self.preview.is_converged());
+        if worked {
+            // Longer than the patience counts as twice as long.
+            let cost = if wait(device, patience) { start.elapsed() } else { patience.saturating_mul(2) };
+            if dragging {
+                self.pace.learn(cost);
+            } else {
+                self.bands = bands_after(self.bands, cost, patience);
+            }
+        }
+        if !dragging {
+            self.pace.rest();
         }
         let mut renderer = renderer.write();
         let filter = wgpu::FilterMode::Linear;
@@ -98,7 +121,12 @@ impl Picture {
 
     /// Whether rendering again would change nothing.
     pub fn is_converged(&self) -> bool {
-        self.preview.is_converged()
+        self.preview.is_converged() && !self.is_behind
+    }
+
+    /// Whether the picture is not yet of what was asked for last.
+    pub fn is_behind(&self) -> bool {
+        self.is_behind
     }
 
     /// What has been redone since the start.
@@ -191,36 +219,10 @@ impl Pace {
     }
 }
 
-/// Measures from handing work in until the device has done it.
-#[derive(Debug, Default)]
-struct Clock {
-    nanos: Arc<AtomicU64>,
-    is_running: bool,
-}
-
-impl Clock {
-    /// Measure the work handed in last.
-    fn start(&mut self, queue: &wgpu::Queue) {
-        self.nanos = Arc::default();
-        self.is_running = true;
-        let (nanos, start) = (Arc::clone(&self.nanos), Instant::now());
-        queue.on_submitted_work_done(move || {
-            let elapsed = u64::try_from(start.elapsed().as_nanos()).unwrap_or(u64::MAX).max(1);
-            nanos.store(elapsed, Ordering::Relaxed);
-        });
-    }
-
-    /// Whether the work handed in last is not known to be done.
-    fn is_running(&self) -> bool {
-        self.is_running
-    }
-
-    /// How long the work took, once, when it is done.
-    fn read(&mut self) -> Option<Duration> {
-        let nanos = self.nanos.swap(0, Ordering::Relaxed);
-        self.is_running &= nanos == 0;
-        (nanos > 0).then(|| Duration::from_nanos(nanos))
-    }
+/// Whether the device has done all its work, waiting for it for that long.
+fn wait(device: &wgpu::Device, patience: Duration) -> bool {
+    // A poll fails where the work takes longer, or the device was lost, which eframe reports.
+    device.poll(wgpu::PollType::Wait { submission_index: None, timeout: Some(patience.min(LONGEST_WAIT)) }).is_ok()
 }
 
 #[cfg(test)]
