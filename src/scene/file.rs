@@ -22,6 +22,9 @@ pub(super) struct File {
     /// What people call the scene.
     #[serde(default)]
     pub(super) name: String,
+    /// Words to find it by in a library, such as "studio".
+    #[serde(default)]
+    pub(super) tags: Vec<String>,
     /// The name of the variant that the lights came from.
     #[serde(default)]
     #[schemars(with = "String")]
@@ -142,6 +145,7 @@ impl File {
         }
         Ok(Scene {
             name: self.name,
+            tags: self.tags,
             camera: self.camera,
             display: self.display,
             materials: self.material,

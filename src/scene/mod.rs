@@ -20,7 +20,7 @@ mod variant;
 
 pub use beside::{MAX_CONTENTS_BYTES, keep_apart, keep_mesh_apart};
 pub use camera::{Camera, Display};
-pub use history::History;
+pub use history::{History, MOST_HISTORY_BYTES};
 pub use load::{MAX_FILE_BYTES, load, parse, parse_with};
 pub use merge::merge;
 pub use mesh::{MOST_TRIANGLES, import_mesh};
@@ -43,6 +43,8 @@ pub const FORMAT: u32 = 1;
 pub struct Scene {
     /// What people call it.
     pub name: String,
+    /// Words to find it by in a library, such as `studio`.
+    pub tags: Vec<String>,
     /// From where it is seen.
     pub camera: Camera,
     /// How its radiance becomes a picture.

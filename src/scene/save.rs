@@ -75,10 +75,11 @@ pub fn save_as(scene: &Scene, path: impl AsRef<Path>, source: impl AsRef<Path>) 
 /// Equal scenes give equal texts. Defaults are left out; `[camera]` and `[display]` stand in a preset only if they
 /// differ from theirs.
 pub fn to_toml(scene: &Scene) -> String {
-    let Scene { name, camera, display, materials, surfaces, lights, plots, variants, active_variant } = scene;
+    let Scene { name, tags, camera, display, materials, surfaces, lights, plots, variants, active_variant } = scene;
     let mut out = Table::default();
     out.key("format", &FORMAT);
     out.key_unless(name.is_empty(), "name", name);
+    out.key_unless(tags.is_empty(), "tags", tags);
     if let Some(active) = active_variant {
         out.key("active_variant", active);
     }

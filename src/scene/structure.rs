@@ -144,6 +144,7 @@ impl<'s> Checker<'s> {
             },
             (Kind::List, None) => match kind(self.resolve(&rule["items"])) {
                 Kind::Table => "a list of tables".to_owned(),
+                Kind::Text => "a list of texts in quotes".to_owned(),
                 _ => "a list".to_owned(),
             },
             (Kind::Choice, _) => format!("one of {}", quoted(&choices(rule))),

@@ -27,10 +27,11 @@ const MOST_VERTICES: usize = 1024;
 
 /// All that is wrong with a scene's values, with the paths that a scene file gives them.
 pub fn validate(scene: &Scene) -> Vec<Problem> {
-    let Scene { name, camera, display, materials, surfaces, lights, plots, variants, active_variant } = scene;
+    let Scene { name, tags, camera, display, materials, surfaces, lights, plots, variants, active_variant } = scene;
     let mut checker = Checker { scene, problems: Vec::new() };
     let root = Path::default();
     checker.text(&root.key("name"), name);
+    checker.tags(&root.key("tags"), tags);
     checker.camera(&root.key("camera"), camera);
     checker.display(&root.key("display"), *display);
     checker.each(&root.key("material"), materials, |material| &material.name, Checker::material);
@@ -342,6 +343,19 @@ impl Checker<'_> {
     fn text(&mut self, path: &Path, text: &str) {
         if text.contains(char::is_control) {
             self.report(path, format!("{text:?} has control characters; write it on one line"));
+        }
+    }
+
+    /// Tags are words, each said once.
+    fn tags(&mut self, path: &Path, tags: &[String]) {
+        for (i, tag) in tags.iter().enumerate() {
+            let path = path.index(i);
+            if tag.trim().is_empty() {
+                self.report(&path, "is empty; write a word such as \"studio\"");
+            } else if tags[..i].contains(tag) {
+                self.report(&path, format!("`{tag}` is there twice; keep one of the two"));
+            }
+            self.text(&path, tag);
         }
     }
 

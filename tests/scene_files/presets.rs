@@ -36,12 +36,20 @@ fn every_preset_opens_and_is_saved_byte_for_byte() {
 #[test]
 fn there_are_enough_presets_of_each_kind() {
     let (scenes, lights) = (presets("scenes"), presets("lights"));
-    assert!(scenes.len() >= 8 && lights.len() >= 8, "{} scenes, {} lights", scenes.len(), lights.len());
+    assert!(scenes.len() >= 16 && lights.len() >= 24, "{} scenes, {} lights", scenes.len(), lights.len());
+    for (name, _, scene) in scenes.iter().chain(&lights) {
+        assert!(scene.tags.len() >= 2, "{name} is found by its tags {:?}", scene.tags);
+    }
     for (name, _, scene) in &scenes {
         assert!(!scene.lights.is_empty() && !scene.plots.is_empty(), "{name} has lights and plots");
     }
     for (name, _, scene) in &lights {
-        let only_lights = Scene { name: scene.name.clone(), lights: scene.lights.clone(), ..Scene::default() };
+        let only_lights = Scene {
+            name: scene.name.clone(),
+            tags: scene.tags.clone(),
+            lights: scene.lights.clone(),
+            ..Scene::default()
+        };
         assert!(!scene.lights.is_empty(), "{name} has a light");
         assert_eq!(*scene, only_lights, "{name} has nothing else");
     }

@@ -217,10 +217,14 @@ fn any_scene() -> impl Strategy<Value = Scene> {
         .prop_map(|(eye, fov_deg)| Camera { eye, target: eye + DVec3::splat(1.0 + 1e-3 * eye.length()), fov_deg })
         .prop_filter("the camera looks somewhere within the limits", |camera| camera.target.max_element() < 1e9);
     let display = (-100.0..=100.0).prop_map(|exposure_ev| Display { exposure_ev });
-    let view = (name(), camera, display, any_model());
+    let tags = vec("[a-z]{1,6}", 0..3).prop_map(|mut tags| {
+        number_names(&mut tags, |tag| tag);
+        tags
+    });
+    let view = ((name(), tags), camera, display, any_model());
     let variants = (vec(any_variant(), 0..3), any::<bool>());
     (view, vec(any_surface(), 0..4), vec(any_light(), 0..4), vec(any_plot(), 0..3), variants).prop_map(
-        |((name, camera, display, model), mut surfaces, mut lights, mut plots, (mut variants, is_active))| {
+        |(((name, tags), camera, display, model), mut surfaces, mut lights, mut plots, (mut variants, is_active))| {
             number_names(&mut variants, |variant| &mut variant.name);
             number_names(&mut surfaces, |surface| &mut surface.name);
             number_names(&mut lights, |light| &mut light.name);
@@ -235,7 +239,7 @@ fn any_scene() -> impl Strategy<Value = Scene> {
             let active_variant = variants.first().map(|variant| variant.name.clone()).filter(|_| is_active);
             let materials = vec![clay];
             let mut scene =
-                Scene { name, camera, display, materials, surfaces, lights, plots, variants, active_variant };
+                Scene { name, tags, camera, display, materials, surfaces, lights, plots, variants, active_variant };
             link(&mut scene);
             scene
         },

@@ -12,6 +12,25 @@ fn the_format_comes_first() {
 }
 
 #[test]
+fn tags_are_words_said_once() {
+    check(
+        "format = 1",
+        "format = 1\ntags = \"studio\"",
+        "window.toml:2:8: tags: must be a list of texts in quotes, but is text",
+    );
+    check(
+        "format = 1",
+        "format = 1\ntags = [\" \"]",
+        "window.toml:2:9: tags[0]: is empty; write a word such as \"studio\"",
+    );
+    check(
+        "format = 1",
+        "format = 1\ntags = [\"a\", \"a\"]",
+        "window.toml:2:14: tags[1]: `a` is there twice; keep one of the two",
+    );
+}
+
+#[test]
 fn numbers_are_finite_and_within_their_limits() {
     check(
         "luminance = 1000.0",
