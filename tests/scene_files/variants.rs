@@ -36,7 +36,7 @@ fn a_group_without_name_and_links_to_nothing_known_are_refused() {
     check(passage, &shape("only = [\"flour\"]"), expected);
     let expected = "window.toml:27:18: light[0].only[1]: `floor` is there twice; write each surface once";
     check(passage, &shape("only = [\"floor\", \"floor\"]"), expected);
-    let expected = "window.toml:27:8: light[0].only: must be a list, but is text";
+    let expected = "window.toml:27:8: light[0].only: must be a list of texts in quotes, but is text";
     check(passage, &shape("only = \"floor\""), expected);
     check(
         passage,
