@@ -7,6 +7,8 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use super::handles::frame::Transform;
+use super::handles::place::Place;
 use super::variants;
 use crate::scene::{Camera, History, Scene};
 use crate::shading::Method;
@@ -46,6 +48,10 @@ pub enum Tool {
     Line,
     /// Draw a spherical light.
     Sphere,
+    /// Turn lights to a point.
+    Aim,
+    /// Place a light so that its light falls on a point.
+    Place(Place),
 }
 
 /// How the viewport looks at the scene.
@@ -124,6 +130,8 @@ pub struct Session {
     pub framing: Option<Framing>,
     /// Where lights are drawn.
     pub work_plane: WorkPlane,
+    /// Along which axes and about which point handles act.
+    pub transform: Transform,
     /// What the plot pane shows.
     pub plots: PlotState,
     /// What the mouse would do now; set by whatever it is over, shown in the status bar.
@@ -149,6 +157,7 @@ pub struct Glance {
     scene: Arc<Scene>,
     selection: Selection,
     tool: Tool,
+    transform: Transform,
     view: ViewState,
 }
 
@@ -158,6 +167,7 @@ impl PartialEq for Glance {
         Arc::ptr_eq(&self.scene, &other.scene)
             && self.selection == other.selection
             && self.tool == other.tool
+            && self.transform == other.transform
             && self.view == other.view
     }
 }
@@ -248,7 +258,23 @@ impl Item {
 
 impl Tool {
     /// All tools, in toolbar order.
-    pub const ALL: [Self; 6] = [Self::Move, Self::Rotate, Self::Scale, Self::Polygon, Self::Line, Self::Sphere];
+    pub const ALL: [Self; 10] = [
+        Self::Move,
+        Self::Rotate,
+        Self::Scale,
+        Self::Polygon,
+        Self::Line,
+        Self::Sphere,
+        Self::Aim,
+        Self::Place(Place::Highlight),
+        Self::Place(Place::Diffuse),
+        Self::Place(Place::Rim),
+    ];
+
+    /// Whether it turns or places lights by a point of the scene.
+    pub fn places(self) -> bool {
+        matches!(self, Self::Aim | Self::Place(_))
+    }
 
     /// Whether it draws a new light.
     pub fn draws(self) -> bool {
@@ -289,6 +315,7 @@ impl Session {
             view,
             framing: None,
             work_plane: WorkPlane::default(),
+            transform: Transform::default(),
             plots: PlotState::default(),
             hint: String::new(),
             notices: Vec::new(),
@@ -303,6 +330,7 @@ impl Session {
             scene: Arc::clone(self.history.scene()),
             selection: self.selection.clone(),
             tool: self.tool,
+            transform: self.transform,
             view: self.view,
         }
     }

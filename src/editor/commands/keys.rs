@@ -4,6 +4,7 @@ use egui::{Key, KeyboardShortcut, Modifiers};
 
 use super::Command;
 use crate::editor::app::App;
+use crate::editor::handles::place::Place;
 use crate::editor::session::Tool;
 
 impl Command {
@@ -25,10 +26,16 @@ impl Command {
         Self::Tool(Tool::Polygon),
         Self::Tool(Tool::Line),
         Self::Tool(Tool::Sphere),
+        Self::Tool(Tool::Aim),
+        Self::Tool(Tool::Place(Place::Highlight)),
+        Self::Tool(Tool::Place(Place::Diffuse)),
+        Self::Tool(Tool::Place(Place::Rim)),
         Self::Focus,
         Self::FrameAll,
         Self::ToggleShadows,
         Self::ToggleSnap,
+        Self::ToggleAxes,
+        Self::NextPivot,
         Self::Keys,
     ];
 
@@ -52,10 +59,16 @@ impl Command {
             Self::Tool(Tool::Polygon) => (Modifiers::NONE, Key::P),
             Self::Tool(Tool::Line) => (Modifiers::NONE, Key::L),
             Self::Tool(Tool::Sphere) => (Modifiers::NONE, Key::O),
+            Self::Tool(Tool::Aim) => (Modifiers::SHIFT, Key::A),
+            Self::Tool(Tool::Place(Place::Highlight)) => (Modifiers::SHIFT, Key::H),
+            Self::Tool(Tool::Place(Place::Diffuse)) => (Modifiers::SHIFT, Key::D),
+            Self::Tool(Tool::Place(Place::Rim)) => (Modifiers::SHIFT, Key::R),
             Self::Focus => (Modifiers::NONE, Key::F),
             Self::FrameAll => (Modifiers::NONE, Key::A),
             Self::ToggleShadows => (Modifiers::NONE, Key::H),
             Self::ToggleSnap => (Modifiers::NONE, Key::G),
+            Self::ToggleAxes => (Modifiers::NONE, Key::X),
+            Self::NextPivot => (Modifiers::NONE, Key::Period),
             Self::Keys => (Modifiers::NONE, Key::F1),
             _ => return None,
         };
@@ -71,11 +84,17 @@ impl Command {
 /// Run the commands whose keys were pressed. While text is edited, most keys belong to the text.
 pub fn run_shortcuts(app: &mut App, ctx: &egui::Context) {
     let typing = ctx.egui_wants_keyboard_input();
+    let in_gesture = app.session.history.in_gesture();
     let pressed: Vec<&Command> = ctx.input_mut(|input| {
         // Those with more modifiers first, since a key with fewer would match too.
         let mut keyed: Vec<_> = Command::KEYED.iter().filter_map(|c| c.shortcut().map(|s| (c, s))).collect();
         keyed.sort_by_key(|(_, shortcut)| std::cmp::Reverse(shortcut.modifiers.shift));
-        keyed.retain(|(command, s)| (!typing || command.works_while_typing()) && input.consume_shortcut(s));
+        // While something is dragged, plain keys belong to the drag.
+        let dragging = in_gesture && input.pointer.primary_down();
+        keyed.retain(|(command, s)| {
+            let free = !dragging || s.modifiers.command;
+            free && (!typing || command.works_while_typing()) && input.consume_shortcut(s)
+        });
         keyed.into_iter().map(|(command, _)| command).collect()
     });
     for command in pressed {

@@ -82,6 +82,8 @@ impl Command {
             Self::Tool(Tool::Polygon) => "Draw polygon",
             Self::Tool(Tool::Line) => "Draw line",
             Self::Tool(Tool::Sphere) => "Draw sphere",
+            Self::Tool(Tool::Aim) => "Aim at",
+            Self::Tool(Tool::Place(place)) => place.label(),
             Self::Focus => "Focus selection",
             Self::FrameAll => "Show all",
             Self::ResetView => "View through scene camera",
@@ -90,6 +92,9 @@ impl Command {
             Self::ToggleShadows => "Show shadows",
             Self::ToggleGrid => "Show grid",
             Self::ToggleSnap => "Snap to grid",
+            Self::ToggleAxes => "Local axes",
+            Self::Pivot(pivot) => pivot.label(),
+            Self::NextPivot => "Next pivot",
             Self::ResetLayout => "Reset layout",
             Self::Keys => "Keys",
             _ => "",
@@ -101,6 +106,9 @@ impl Command {
         match self {
             Self::AddLight(kind) => Some(kind.hint()),
             Self::AddSurface(kind) => kind.hint(),
+            Self::Tool(Tool::Aim) => Some("Turn the selected lights to a point of the scene"),
+            Self::Tool(Tool::Place(place)) => Some(place.hint()),
+            Self::ToggleAxes => Some("Handles move and turn along the selection's own axes"),
             _ => None,
         }
     }
@@ -120,7 +128,7 @@ impl Command {
             }
             Self::AddLight(_) | Self::ReplacePattern(_) | Self::InsertPreset(_) => Category::Light,
             Self::AddSurface(_) | Self::ReplaceMesh(_) | Self::AddMaterial | Self::AddPlot(_) => Category::Add,
-            Self::Tool(_) | Self::ToggleSnap => Category::Tool,
+            Self::Tool(_) | Self::ToggleSnap | Self::ToggleAxes | Self::Pivot(_) | Self::NextPivot => Category::Tool,
             Self::Method(_)
             | Self::Focus
             | Self::FrameAll

@@ -16,6 +16,7 @@ use std::path::PathBuf;
 use super::app::App;
 use super::edits;
 use super::files::Then;
+use super::handles::frame::{Axes, Pivot};
 use super::presets::Preset;
 use super::session::{Framing, Item, Session, Tool};
 use crate::analysis::methods_for;
@@ -85,6 +86,12 @@ pub enum Command {
     ToggleGrid,
     /// Switch grid snap.
     ToggleSnap,
+    /// Switch between the world's axes and the selection's own.
+    ToggleAxes,
+    /// Turn and scale about another point.
+    Pivot(Pivot),
+    /// Turn and scale about the next point in the list.
+    NextPivot,
     /// Put all panes where they were at first.
     ResetLayout,
     /// Switch between the dark and the light theme.
@@ -121,6 +128,8 @@ impl Command {
             Self::ToggleShadows => Some(session.view.show_shadows),
             Self::ToggleGrid => Some(session.view.show_grid),
             Self::ToggleSnap => Some(session.work_plane.snap),
+            Self::ToggleAxes => Some(session.transform.axes == Axes::Local),
+            Self::Pivot(pivot) => Some(session.transform.pivot == *pivot),
             _ => None,
         }
     }
@@ -171,6 +180,9 @@ impl Command {
             Self::ToggleShadows => session.view.show_shadows ^= true,
             Self::ToggleGrid => session.view.show_grid ^= true,
             Self::ToggleSnap => session.work_plane.snap ^= true,
+            Self::ToggleAxes => session.transform.axes = session.transform.axes.other(),
+            Self::Pivot(pivot) => session.transform.pivot = pivot,
+            Self::NextPivot => session.transform.pivot = session.transform.pivot.next(),
             Self::ResetLayout => app.reset_layout(),
             Self::ToggleTheme => {
                 let other = if ctx.theme() == egui::Theme::Dark { egui::Theme::Light } else { egui::Theme::Dark };

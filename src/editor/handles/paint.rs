@@ -2,7 +2,7 @@
 
 use egui::{Color32, Painter, Pos2, Shape, Stroke, Vec2};
 
-use super::{DOT, Handle, Outline, Spot};
+use super::{CIRCLE, DOT, Handle, Outline, Spot};
 
 /// Colours of the axes X, Y, Z.
 pub const AXIS_COLORS: [Color32; 3] =
@@ -25,8 +25,13 @@ pub fn paint(spots: &[Spot], hot: Option<Handle>, painter: &Painter) {
                 painter.circle(*at, if is_hot { 6.0 } else { DOT }, color, Stroke::new(1.5, RIM));
             }
             Outline::Pin([from, to]) => {
-                painter.line_segment([*from, *to], Stroke::new(1.0, color.gamma_multiply(0.7)));
+                underlined([*from, *to], color.gamma_multiply(0.7), 1.0, painter);
                 painter.circle(*to, if is_hot { 6.0 } else { DOT }, color, Stroke::new(1.5, RIM));
+            }
+            Outline::Circle(at) => {
+                let width = width(is_hot);
+                painter.circle_stroke(*at, CIRCLE, Stroke::new(width + 2.0, RIM));
+                painter.circle_stroke(*at, CIRCLE, Stroke::new(width, color));
             }
             Outline::Diamond(at) => diamond(*at, if is_hot { 6.0 } else { DOT }, color, painter),
             Outline::Arrow(shaft) => arrow(*shaft, color, is_hot, painter),
@@ -39,9 +44,13 @@ pub fn paint(spots: &[Spot], hot: Option<Handle>, painter: &Painter) {
                 let fill = color.gamma_multiply(if is_hot { 0.8 } else { 0.4 });
                 painter.add(Shape::convex_polygon(corners.to_vec(), fill, Stroke::new(1.0, color)));
             }
-            Outline::Ring(pieces) => pieces.iter().for_each(|piece| {
-                painter.line_segment(*piece, Stroke::new(width(is_hot), color));
-            }),
+            Outline::Ring(pieces) => {
+                let lined = |width: f32, color: Color32| {
+                    painter.extend(pieces.iter().map(|piece| Shape::line_segment(*piece, Stroke::new(width, color))));
+                };
+                lined(width(is_hot) + 1.5, RIM.gamma_multiply(0.5));
+                lined(width(is_hot), color);
+            }
         }
     }
 }
@@ -53,15 +62,7 @@ fn width(hot: bool) -> f32 {
 fn color(handle: Handle) -> Color32 {
     match handle {
         Handle::Axis(axis) | Handle::Plane(axis) | Handle::Ring(axis) | Handle::Stretch(axis) => AXIS_COLORS[axis],
-        Handle::Scale
-        | Handle::Vertex(_)
-        | Handle::Edge(_)
-        | Handle::End(_)
-        | Handle::Frame(_)
-        | Handle::Radius
-        | Handle::HalfAngle
-        | Handle::Aim
-        | Handle::Probe => PLAIN,
+        _ => PLAIN,
     }
 }
 

@@ -1,9 +1,9 @@
 //! What handles act on: a light, a surface, or a plot's probe.
 
-use glam::{DMat3, DVec3};
+use glam::{DMat3, DQuat, DVec3};
 
 use crate::editor::session::Item;
-use crate::light::Light;
+use crate::light::{self, Light};
 use crate::math::frame;
 use crate::scene::{Plot, Scene};
 use crate::surface::Surface;
@@ -54,30 +54,59 @@ impl Subject {
         match self {
             Self::Light(light) => frame::rotation_from_deg(light.rotation_deg),
             Self::Surface(surface) => frame::rotation_from_deg(surface.rotation_deg),
-            Self::Probe(_) => DMat3::IDENTITY,
+            Self::Probe(plot) => {
+                DMat3::from_quat(DQuat::from_rotation_arc(DVec3::Z, plot.normal.normalize_or(DVec3::Z)))
+            }
         }
     }
 
-    /// The same thing elsewhere.
+    /// The same thing elsewhere, to a micrometre.
     pub fn at(mut self, position: DVec3) -> Self {
-        match &mut self {
-            Self::Light(light) => light.position = position,
-            Self::Surface(surface) => surface.position = position,
-            Self::Probe(plot) => plot.position = position,
-        }
+        let place = match &mut self {
+            Self::Light(light) => &mut light.position,
+            Self::Surface(surface) => &mut surface.position,
+            Self::Probe(plot) => &mut plot.position,
+        };
+        // What stays is not rounded.
+        *place = DVec3::select(position.cmpeq(*place), *place, tidied(position));
         self
     }
 
-    /// The same thing turned so that its own axes are `rotation`.
+    /// The same thing turned so that its own axes are `rotation`, to a millionth of a degree; a probe's normal is its Z.
     pub fn turned(mut self, rotation: DMat3) -> Self {
-        let rotation_deg = frame::deg_from_rotation(rotation);
+        let rotation_deg = tidied(frame::deg_from_rotation(rotation));
         match &mut self {
             Self::Light(light) => light.rotation_deg = rotation_deg,
             Self::Surface(surface) => surface.rotation_deg = rotation_deg,
-            Self::Probe(_) => {}
+            Self::Probe(plot) => plot.normal = tidied(rotation.z_axis),
         }
         self
     }
+
+    /// The same thing turned by `turn`; what looks the same from all sides stays as it is.
+    pub fn turned_by(mut self, turn: DMat3) -> Self {
+        match &mut self {
+            Self::Light(light) if matches!(light.shape, light::Shape::Sphere(_) | light::Shape::Point(_)) => self,
+            Self::Probe(plot) => {
+                plot.normal = tidied(turn * plot.normal);
+                plot.axis = tidied(turn * plot.axis);
+                plot.view = plot.view.map(|view| tidied(turn * view));
+                self
+            }
+            _ => {
+                let rotation = turn * self.rotation();
+                self.turned(rotation)
+            }
+        }
+    }
+}
+
+/// Rounded to 10⁻⁶, so that files stay readable; zeros are positive.
+pub fn tidied(v: DVec3) -> DVec3 {
+    const PER_UNIT: f64 = 1e6;
+    // Farther out than this there are no digits left to round.
+    const FAR: f64 = 1e9;
+    if v.abs().max_element() < FAR { (v * PER_UNIT).round() / PER_UNIT + DVec3::ZERO } else { v }
 }
 
 fn replace<T>(list: &mut [T], index: usize, value: T) {

@@ -2,7 +2,8 @@
 
 use glam::{DAffine3, DVec2, DVec3};
 
-use super::drag::{Change, Pull};
+use super::drag::Change;
+use super::pull::Pull;
 use super::subject::Subject;
 use super::{Handle, Outline, REACH, Spot, dot};
 use crate::editor::tools::polygon::is_simple;
@@ -33,7 +34,7 @@ pub(super) fn spots(polygon: &Polygon, world_from_light: &DAffine3, projection: 
 }
 
 /// A polygon's vertex moved in its plane.
-pub(super) fn vertex(pull: &Pull, start: &Subject, index: usize) -> Option<Change> {
+pub(super) fn vertex(pull: &Pull<'_>, start: &Subject, index: usize) -> Option<Change> {
     reshaped(start, |polygon, world_from_light| {
         let vertex = polygon.vertices.get(index)?;
         let shift = pull.shift_in_plane(world_from_light, *vertex)?;
@@ -44,7 +45,7 @@ pub(super) fn vertex(pull: &Pull, start: &Subject, index: usize) -> Option<Chang
 }
 
 /// A polygon's edge moved along its normal, in its plane.
-pub(super) fn edge(pull: &Pull, start: &Subject, index: usize) -> Option<Change> {
+pub(super) fn edge(pull: &Pull<'_>, start: &Subject, index: usize) -> Option<Change> {
     reshaped(start, |polygon, world_from_light| {
         let next = (index + 1) % polygon.vertices.len().max(1);
         let (a, b) = (*polygon.vertices.get(index)?, *polygon.vertices.get(next)?);

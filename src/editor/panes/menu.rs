@@ -7,6 +7,8 @@ use egui_material_icons::icons;
 use super::icon_button;
 use crate::editor::commands::{Command, LightKind, SurfaceKind, view_methods};
 use crate::editor::files::Files;
+use crate::editor::handles::place::Place;
+use crate::editor::handles::{self, frame::Pivot};
 use crate::editor::presets;
 use crate::editor::session::{Session, Tool};
 use crate::editor::theme;
@@ -22,6 +24,13 @@ pub fn menu_bar(ui: &mut Ui, session: &Session, files: &Files) -> Option<Command
             entries(ui, session, &[Undo, Redo], &mut chosen);
             ui.separator();
             entries(ui, session, &[Duplicate, Delete, SelectAll, SelectNone], &mut chosen);
+            ui.separator();
+            entries(ui, session, &[Command::ToggleAxes], &mut chosen);
+            ui.menu_button("Pivot", |ui| entries(ui, session, &Pivot::ALL.map(Command::Pivot), &mut chosen));
+            ui.menu_button("Place light", |ui| {
+                let placing = Tool::ALL.into_iter().filter(|tool| tool.places());
+                entries(ui, session, &placing.map(Command::Tool).collect::<Vec<_>>(), &mut chosen);
+            });
         });
         ui.menu_button("Add", |ui| {
             ui.menu_button("Light", |ui| entries(ui, session, &LightKind::ALL.map(Command::AddLight), &mut chosen));
@@ -133,6 +142,8 @@ pub fn toolbar(ui: &mut Ui, session: &mut Session) -> Option<Command> {
             tool_button(ui, session, tool_icon(tool), Command::Tool(tool), &mut chosen);
         }
         ui.separator();
+        handles::toolbar::show(ui, session, &mut chosen);
+        ui.separator();
         work_plane(ui, session);
         ui.separator();
         tool_button(ui, session, icons::ICON_CENTER_FOCUS_STRONG, Command::Focus, &mut chosen);
@@ -178,6 +189,10 @@ fn tool_icon(tool: Tool) -> MaterialIcon {
         Tool::Polygon => icons::ICON_PENTAGON,
         Tool::Line => icons::ICON_SHAPE_LINE,
         Tool::Sphere => icons::ICON_CIRCLE,
+        Tool::Aim => icons::ICON_MY_LOCATION,
+        Tool::Place(Place::Highlight) => icons::ICON_AUTO_AWESOME,
+        Tool::Place(Place::Diffuse) => icons::ICON_LIGHT_MODE,
+        Tool::Place(Place::Rim) => icons::ICON_BEDTIME,
     }
 }
 

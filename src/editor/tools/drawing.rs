@@ -144,6 +144,6 @@ fn hint(tool: Tool, draft: &Draft) -> &'static str {
         (Tool::Line, _) => "Click one end of a line; Ctrl switches grid snap",
         (Tool::Sphere, Draft::Sphere(..)) => "Release to set the radius; Esc cancels",
         (Tool::Sphere, _) => "Press at the centre of a sphere and drag its radius",
-        (Tool::Move | Tool::Rotate | Tool::Scale, _) => "",
+        (Tool::Move | Tool::Rotate | Tool::Scale | Tool::Aim | Tool::Place(_), _) => "",
     }
 }

@@ -6,6 +6,7 @@ use super::navigate;
 use super::pick::{self, Solids};
 use super::projection::Projection;
 use crate::editor::handles::Handle;
+use crate::editor::handles::click::Placing;
 use crate::editor::handles::grip::{Grip, Holding};
 use crate::editor::session::{Item, Session};
 use crate::editor::tools::drawing::Drawing;
@@ -18,6 +19,7 @@ const ZOOM_PER_POINT: f32 = 0.0025;
 pub struct Pointer {
     drawing: Drawing,
     grip: Grip,
+    placing: Placing,
     hovered: Option<Item>,
     navigating: bool,
     /// The press that is still down has done its work: its release is not a click.
@@ -27,7 +29,7 @@ pub struct Pointer {
 impl Pointer {
     /// Whether something is dragged, be it a handle, a sphere's radius or the camera.
     pub fn is_dragging(&self) -> bool {
-        self.grip.is_held() || self.navigating
+        self.grip.is_held() || self.placing.is_held() || self.navigating
     }
 
     /// What a click would select.
@@ -56,12 +58,17 @@ impl Pointer {
             self.grip.hide();
             return;
         }
+        self.placing.update(ui, response, session, solids, &projection);
+        if session.tool.places() {
+            self.grip.hide();
+            return;
+        }
         if handles {
-            self.grip.lay_out(session, &projection);
+            self.grip.lay_out(session, solids, &projection);
         } else {
             self.grip.hide();
         }
-        self.spent |= self.grip.hold(ui, response, session, solids, &projection) == Holding::Cancelled;
+        self.spent |= self.grip.hold(ui, response, session, solids, &projection) == Holding::Ended;
         if !self.grip.is_held() && !self.navigating {
             if !self.grip.hover(response, session) {
                 self.hover(response, session, solids, &projection);
@@ -96,6 +103,7 @@ impl Pointer {
         let zoom = (-ZOOM_PER_POINT * scroll).exp() / pinch;
         if let Some(pos) = response.hover_pos()
             && !self.grip.is_held()
+            && !self.placing.is_held()
             && zoom != 1.0
         {
             session.view.camera = navigate::zoomed(&projection, pos, f64::from(zoom));
@@ -116,6 +124,7 @@ impl Pointer {
     pub fn paint(&self, session: &Session, accent: Color32, projection: &Projection, painter: &Painter) {
         self.grip.paint(projection, painter);
         self.drawing.paint(session, accent, projection, painter);
+        self.placing.paint(session, accent, projection, painter);
     }
 }
 

@@ -7,7 +7,7 @@ use crate::editor::viewport::projection::Projection;
 use crate::scene::Plot;
 
 /// Length of the normal's arrow, points.
-const NORMAL: f64 = 40.0;
+pub const NORMAL: f64 = 40.0;
 
 /// Colour of a probe that is not selected.
 const COLOR: Color32 = Color32::from_rgb(0x5f, 0xd3, 0xc6);
