@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 use std::path::Path;
+use std::sync::LazyLock;
 
 use glam::{DVec2, DVec3};
 
@@ -97,8 +98,11 @@ impl Session {
         self.selection.set(copies);
     }
 
-    /// Delete what is selected; a material that a surface or a plot uses stays, and the user is told.
+    /// Delete the chosen corner of a polygon, else what is selected; a material that a surface or a plot uses stays, and the user is told.
     pub fn delete_selection(&mut self) {
+        if self.corner().is_some() {
+            return self.delete_corner();
+        }
         let mut items = self.selection.items().to_vec();
         let used = |item: &Item| matches!(item, Item::Material(_)) && is_used(self.scene(), *item, &items);
         let kept: Vec<Item> = items.iter().filter(|item| used(item)).copied().collect();
@@ -180,6 +184,30 @@ pub(super) fn textured(pattern: Pattern) -> Light {
     let size = texels / texels.max_element();
     let light = new_light(Shape::Textured(Textured { size, pattern, two_sided: false }));
     Light { name, ..light }
+}
+
+/// The pattern of a new textured light: bright in the middle and darker towards the rim, as a softbox is.
+pub(super) fn softbox_pattern() -> Pattern {
+    static PATTERN: LazyLock<Pattern> = LazyLock::new(|| {
+        const SIDE: u32 = 64;
+        let falloff = image::GrayImage::from_fn(SIDE, SIDE, |column, row| {
+            let share = |i: u32| (f64::from(i) + 0.5) / f64::from(SIDE);
+            let edge = |share: f64| 4.0 * share * (1.0 - share);
+            image::Luma([code_of(0.35 + 0.65 * edge(share(column)) * edge(share(row)))])
+        });
+        let mut bytes = std::io::Cursor::new(Vec::new());
+        falloff.write_to(&mut bytes, image::ImageFormat::Png).expect("grey bytes are a PNG picture");
+        let file = "textures/softbox.png";
+        scene::pattern_of_bytes(file, bytes.into_inner()).expect("what was just written is a picture")
+    });
+    PATTERN.clone()
+}
+
+/// A linear share as an sRGB code of 8 bits (IEC 61966-2-1).
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "from 0 to 255")]
+fn code_of(share: f64) -> u8 {
+    let code = if share <= 0.003_130_8 { 12.92 * share } else { 1.055 * share.powf(1.0 / 2.4) - 0.055 };
+    (255.0 * code).round().clamp(0.0, 255.0) as u8
 }
 
 /// A file's own name without its extension.

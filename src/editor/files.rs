@@ -198,6 +198,7 @@ impl App {
         let old = std::mem::replace(&mut self.session, Session::new(scene, path));
         self.session.notices = old.notices;
         self.session.work_plane = old.work_plane;
+        self.session.outline = old.outline;
         self.session.view = ViewState { camera: self.session.view.camera, ..old.view };
     }
 

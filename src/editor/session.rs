@@ -7,8 +7,11 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use super::handles::corners::Corner;
 use super::handles::frame::Transform;
 use super::handles::place::Place;
+use super::tools::outline::Outline;
+use super::tools::work_plane::WorkPlane;
 use super::variants;
 use crate::scene::{Camera, History, Scene};
 use crate::shading::Method;
@@ -48,6 +51,10 @@ pub enum Tool {
     Line,
     /// Draw a spherical light.
     Sphere,
+    /// Draw a rectangular light with a pattern.
+    Textured,
+    /// Make a light of a chosen outline.
+    Outline,
     /// Turn lights to a point.
     Aim,
     /// Place a light so that its light falls on a point.
@@ -80,17 +87,6 @@ pub enum Framing {
     Selection,
     /// Everything.
     All,
-}
-
-/// The horizontal plane on which lights are drawn.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct WorkPlane {
-    /// Height above the ground, metres.
-    pub height: f64,
-    /// Whether what is drawn or dragged sticks to the grid.
-    pub snap: bool,
-    /// Grid spacing, metres.
-    pub grid: f64,
 }
 
 /// Which plot is shown, and which of its curves are not.
@@ -132,6 +128,12 @@ pub struct Session {
     pub work_plane: WorkPlane,
     /// Along which axes and about which point handles act.
     pub transform: Transform,
+    /// What the outline tool makes.
+    pub outline: Outline,
+    /// The corner of a polygon that was chosen last; [`Self::corner`] says whether it still counts.
+    pub chosen_corner: Option<Corner>,
+    /// The viewport in which something is being drawn: digits are its dimensions.
+    pub drawing_in: Option<egui::Id>,
     /// What the plot pane shows.
     pub plots: PlotState,
     /// What the mouse would do now; set by whatever it is over, shown in the status bar.
@@ -258,13 +260,15 @@ impl Item {
 
 impl Tool {
     /// All tools, in toolbar order.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 12] = [
         Self::Move,
         Self::Rotate,
         Self::Scale,
         Self::Polygon,
         Self::Line,
         Self::Sphere,
+        Self::Textured,
+        Self::Outline,
         Self::Aim,
         Self::Place(Place::Highlight),
         Self::Place(Place::Diffuse),
@@ -278,7 +282,7 @@ impl Tool {
 
     /// Whether it draws a new light.
     pub fn draws(self) -> bool {
-        matches!(self, Self::Polygon | Self::Line | Self::Sphere)
+        matches!(self, Self::Polygon | Self::Line | Self::Sphere | Self::Textured | Self::Outline)
     }
 }
 
@@ -286,12 +290,6 @@ impl ViewState {
     /// Follow the variant that is shown from one state of the document to another.
     pub fn follow(&mut self, from: &Scene, to: &Scene) {
         self.variant = self.variant.and_then(|index| variants::follow(index, from, to));
-    }
-}
-
-impl Default for WorkPlane {
-    fn default() -> Self {
-        Self { height: 2.0, snap: true, grid: 0.1 }
     }
 }
 
@@ -316,6 +314,9 @@ impl Session {
             framing: None,
             work_plane: WorkPlane::default(),
             transform: Transform::default(),
+            outline: Outline::default(),
+            chosen_corner: None,
+            drawing_in: None,
             plots: PlotState::default(),
             hint: String::new(),
             notices: Vec::new(),

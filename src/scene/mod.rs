@@ -24,7 +24,7 @@ pub use history::{History, MOST_HISTORY_BYTES};
 pub use load::{MAX_FILE_BYTES, load, parse, parse_with};
 pub use merge::merge;
 pub use mesh::{MOST_TRIANGLES, import_mesh};
-pub use pattern::{MAX_PATTERN_SIZE, import_pattern};
+pub use pattern::{MAX_PATTERN_SIZE, import_pattern, pattern_of_bytes};
 pub use plot::{Plot, PlotKind, PlotQuantity};
 pub use problem::{LoadError, Path, Place, Problem, Segment};
 pub use save::{SaveError, replace_file, save, save_as, to_toml};

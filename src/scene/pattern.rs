@@ -54,6 +54,12 @@ pub fn import_pattern(path: &Path, scene: Option<&Path>) -> Result<Pattern, Stri
     Ok(Pattern { file, image, contents: Contents(imported.bytes.into()) })
 }
 
+/// The pattern of that name that the bytes of a picture file hold. What is wrong with them is one line.
+pub fn pattern_of_bytes(file: &str, bytes: Vec<u8>) -> Result<Pattern, String> {
+    let image = decode(&bytes, &mut { MAX_TEXELS }).map_err(|wrong| format!("`{file}` {wrong}"))?;
+    Ok(Pattern { file: file.to_owned(), image, contents: Contents(bytes.into()) })
+}
+
 /// The image in a file's bytes, or what is wrong with it. Sizes are checked before memory is taken for them, and what
 /// the image has is taken from `texels_left`.
 fn decode(bytes: &[u8], texels_left: &mut u64) -> Result<Image, String> {

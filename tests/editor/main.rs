@@ -1,6 +1,7 @@
 //! The editor as a user sees it: widgets are found by their labels, clicked, dragged and typed into; then the document
 //! is looked at.
 
+mod draw;
 mod files;
 mod panes;
 mod shapes;

@@ -21,7 +21,7 @@ use super::window::{SCENE, Window, options};
 impl Window {
     /// Where a point of the world is in the window.
     #[track_caller]
-    fn at(&self, p: [f64; 3]) -> Pos2 {
+    pub(crate) fn at(&self, p: [f64; 3]) -> Pos2 {
         let rect = self.get("Viewport").rect();
         let projection = Projection::new(&self.session().view.camera, rect);
         projection.project(DVec3::from(p)).expect("the point is in sight")
@@ -29,25 +29,25 @@ impl Window {
 
     /// Click at a point of the world.
     #[track_caller]
-    fn click_at(&mut self, p: [f64; 3]) {
+    pub(crate) fn click_at(&mut self, p: [f64; 3]) {
         let pos = self.at(p);
         self.drag(&[pos]);
     }
 
     /// Drag from a point of the world to another.
     #[track_caller]
-    fn drag_from_to(&mut self, from: [f64; 3], to: [f64; 3]) {
+    pub(crate) fn drag_from_to(&mut self, from: [f64; 3], to: [f64; 3]) {
         let (from, to) = (self.at(from), self.at(to));
         self.drag(&[from, from.lerp(to, 0.3), from.lerp(to, 0.7), to]);
     }
 
-    fn light(&self, name: &str) -> Light {
+    pub(crate) fn light(&self, name: &str) -> Light {
         self.scene().lights.iter().find(|light| light.name == name).expect("the light is there").clone()
     }
 }
 
 /// The corners of a polygon in the world.
-fn corners(light: &Light) -> Vec<DVec3> {
+pub(crate) fn corners(light: &Light) -> Vec<DVec3> {
     match light.emitter() {
         Emitter::Polygon(polygon) => polygon.vertices,
         other => panic!("{other:?} is no polygon"),

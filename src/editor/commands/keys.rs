@@ -6,6 +6,7 @@ use super::Command;
 use crate::editor::app::App;
 use crate::editor::handles::place::Place;
 use crate::editor::session::Tool;
+use crate::editor::tools::typed;
 
 impl Command {
     /// All commands that have a key, in the order of the list of keys.
@@ -30,6 +31,9 @@ impl Command {
         Self::Tool(Tool::Place(Place::Highlight)),
         Self::Tool(Tool::Place(Place::Diffuse)),
         Self::Tool(Tool::Place(Place::Rim)),
+        Self::Tool(Tool::Textured),
+        Self::Tool(Tool::Outline),
+        Self::NextPlane,
         Self::Focus,
         Self::FrameAll,
         Self::ToggleShadows,
@@ -63,6 +67,9 @@ impl Command {
             Self::Tool(Tool::Place(Place::Highlight)) => (Modifiers::SHIFT, Key::H),
             Self::Tool(Tool::Place(Place::Diffuse)) => (Modifiers::SHIFT, Key::D),
             Self::Tool(Tool::Place(Place::Rim)) => (Modifiers::SHIFT, Key::R),
+            Self::Tool(Tool::Textured) => (Modifiers::NONE, Key::T),
+            Self::Tool(Tool::Outline) => (Modifiers::NONE, Key::N),
+            Self::NextPlane => (Modifiers::NONE, Key::Q),
             Self::Focus => (Modifiers::NONE, Key::F),
             Self::FrameAll => (Modifiers::NONE, Key::A),
             Self::ToggleShadows => (Modifiers::NONE, Key::H),
@@ -85,6 +92,7 @@ impl Command {
 pub fn run_shortcuts(app: &mut App, ctx: &egui::Context) {
     let typing = ctx.egui_wants_keyboard_input();
     let in_gesture = app.session.history.in_gesture();
+    let drawing = app.session.drawing_in.is_some();
     let pressed: Vec<&Command> = ctx.input_mut(|input| {
         // Those with more modifiers first, since a key with fewer would match too.
         let mut keyed: Vec<_> = Command::KEYED.iter().filter_map(|c| c.shortcut().map(|s| (c, s))).collect();
@@ -93,7 +101,8 @@ pub fn run_shortcuts(app: &mut App, ctx: &egui::Context) {
         let dragging = in_gesture && input.pointer.primary_down();
         keyed.retain(|(command, s)| {
             let free = !dragging || s.modifiers.command;
-            free && (!typing || command.works_while_typing()) && input.consume_shortcut(s)
+            let typed = typing && !command.works_while_typing() || drawing && begins_dimension(s);
+            free && !typed && input.consume_shortcut(s)
         });
         keyed.into_iter().map(|(command, _)| command).collect()
     });
@@ -102,6 +111,17 @@ pub fn run_shortcuts(app: &mut App, ctx: &egui::Context) {
             command.clone().run(app, ctx);
         }
     }
+}
+
+/// Whether a key begins a dimension while something is being drawn.
+fn begins_dimension(shortcut: &KeyboardShortcut) -> bool {
+    let mut symbol = shortcut.logical_key.symbol_or_name().chars();
+    let single = symbol.next().filter(|_| symbol.next().is_none());
+    let key = match shortcut.logical_key {
+        Key::Minus => Some('-'),
+        _ => single,
+    };
+    shortcut.modifiers.is_none() && key.is_some_and(typed::begins)
 }
 
 #[cfg(test)]

@@ -51,10 +51,12 @@ impl Command {
         match self {
             Self::Undo => with("Undo", session.history.undo_label()),
             Self::Redo => with("Redo", session.history.redo_label()),
+            Self::Delete if session.corner().is_some() => "Delete vertex".to_owned(),
             Self::OpenFile(path) => path.display().to_string(),
             Self::OpenExample(preset) | Self::InsertPreset(preset) => preset.title(),
             Self::AddLight(kind) => kind.label().to_owned(),
             Self::AddSurface(kind) => kind.label(),
+            Self::Outline(kind) => kind.name().to_owned(),
             Self::AddPlot(kind) => upper_first(edits::kind_name(*kind)),
             Self::Method(method) => method.to_string(),
             Self::ToggleTheme => "Switch dark/light theme".to_owned(),
@@ -84,6 +86,9 @@ impl Command {
             Self::Tool(Tool::Sphere) => "Draw sphere",
             Self::Tool(Tool::Aim) => "Aim at",
             Self::Tool(Tool::Place(place)) => place.label(),
+            Self::Tool(Tool::Textured) => "Draw textured rectangle",
+            Self::Tool(Tool::Outline) => "Draw outline",
+            Self::NextPlane => "Next work plane",
             Self::Focus => "Focus selection",
             Self::FrameAll => "Show all",
             Self::ResetView => "View through scene camera",
@@ -109,6 +114,7 @@ impl Command {
             Self::Tool(Tool::Aim) => Some("Turn the selected lights to a point of the scene"),
             Self::Tool(Tool::Place(place)) => Some(place.hint()),
             Self::ToggleAxes => Some("Handles move and turn along the selection's own axes"),
+            Self::Outline(kind) => Some(kind.hint()),
             _ => None,
         }
     }
@@ -128,7 +134,13 @@ impl Command {
             }
             Self::AddLight(_) | Self::ReplacePattern(_) | Self::InsertPreset(_) => Category::Light,
             Self::AddSurface(_) | Self::ReplaceMesh(_) | Self::AddMaterial | Self::AddPlot(_) => Category::Add,
-            Self::Tool(_) | Self::ToggleSnap | Self::ToggleAxes | Self::Pivot(_) | Self::NextPivot => Category::Tool,
+            Self::Tool(_)
+            | Self::Outline(_)
+            | Self::NextPlane
+            | Self::ToggleSnap
+            | Self::ToggleAxes
+            | Self::Pivot(_)
+            | Self::NextPivot => Category::Tool,
             Self::Method(_)
             | Self::Focus
             | Self::FrameAll

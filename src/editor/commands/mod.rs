@@ -19,6 +19,7 @@ use super::files::Then;
 use super::handles::frame::{Axes, Pivot};
 use super::presets::Preset;
 use super::session::{Framing, Item, Session, Tool};
+use super::tools::outline::OutlineKind;
 use crate::analysis::methods_for;
 use crate::scene::{PlotKind, Scene};
 use crate::shading::Method;
@@ -68,6 +69,10 @@ pub enum Command {
     AddPlot(PlotKind),
     /// Take a tool.
     Tool(Tool),
+    /// Take the tool that makes outlines of that kind.
+    Outline(OutlineKind),
+    /// Draw on the next kind of plane.
+    NextPlane,
     /// Shade the viewport by a method.
     Method(Method),
     /// Bring what is selected into view.
@@ -123,6 +128,7 @@ impl Command {
     pub fn checked(&self, session: &Session) -> Option<bool> {
         match self {
             Self::Tool(tool) => Some(session.tool == *tool),
+            Self::Outline(kind) => Some(session.tool == Tool::Outline && session.outline.kind == *kind),
             Self::Method(method) => Some(session.view.method == *method),
             Self::ToggleEmitters => Some(session.view.show_emitters),
             Self::ToggleShadows => Some(session.view.show_shadows),
@@ -171,6 +177,11 @@ impl Command {
             Self::AddMaterial => session.add_material(),
             Self::AddPlot(kind) => session.add_plot(kind),
             Self::Tool(tool) => session.tool = tool,
+            Self::Outline(kind) => {
+                session.tool = Tool::Outline;
+                session.outline.kind = kind;
+            }
+            Self::NextPlane => session.work_plane.cycle(&session.view.camera),
             Self::Method(method) => session.view.method = method,
             Self::Focus => session.framing = Some(Framing::Selection),
             Self::FrameAll => session.framing = Some(Framing::All),

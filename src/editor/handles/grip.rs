@@ -1,4 +1,4 @@
-//! Handles under the mouse: taken hold of, dragged, let go; hovered and double-clicked.
+//! Handles under the mouse: hovered, taken hold of, dragged, let go.
 
 use egui::{
     Align2, Color32, CursorIcon, Key, Modifiers, Painter, PointerButton, Pos2, Response, Stroke, Ui, Vec2, vec2,
@@ -7,7 +7,6 @@ use egui::{
 use super::drag::Drag;
 use super::frame::{Frame, selected};
 use super::subject::Subject;
-use super::vertices::{Edited, double_clicked};
 use super::{AXIS_COLORS, Handle, Spot, hints, probe};
 use crate::editor::session::{Item, Session};
 use crate::editor::viewport::overlay::{self, REFUSED};
@@ -183,17 +182,6 @@ impl Grip {
             session.hint = hints::of_handle(handle);
         }
         self.hot.is_some()
-    }
-
-    /// A double click on the handle under the pointer.
-    pub fn double_click(&self, session: &mut Session) {
-        let Some((item, handle)) = self.hot else { return };
-        let Some(subject) = Subject::of(item, session.scene()) else { return };
-        match double_clicked(&subject, handle) {
-            Some(Edited::To(label, light)) => session.edit(label, |scene| Subject::Light(*light).put(item, scene)),
-            Some(Edited::Refused(why)) => why.clone_into(&mut session.hint),
-            None => {}
-        }
     }
 
     /// Draw handles, what is refused, and what is said at the cursor.

@@ -10,6 +10,7 @@
 pub mod aim;
 pub mod amount;
 pub mod click;
+pub mod corners;
 pub mod drag;
 pub mod frame;
 pub mod grip;

@@ -1,4 +1,4 @@
-//! Vertices and edges of polygons: where their handles are, what dragging and double-clicking them does.
+//! Vertices and edges of polygons: where their handles are, and what dragging them does.
 
 use glam::{DAffine3, DVec2, DVec3};
 
@@ -8,16 +8,7 @@ use super::subject::Subject;
 use super::{Handle, Outline, REACH, Spot, dot};
 use crate::editor::tools::polygon::is_simple;
 use crate::editor::viewport::projection::Projection;
-use crate::light::{Light, Polygon, Shape};
-
-/// What a double click on a handle makes of its light.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Edited {
-    /// The light as it is to be, and what the step is called.
-    To(&'static str, Box<Light>),
-    /// It may not be, and why.
-    Refused(&'static str),
-}
+use crate::light::{Polygon, Shape};
 
 /// The handles on a polygon's vertices, then those on its edges.
 pub(super) fn spots(polygon: &Polygon, world_from_light: &DAffine3, projection: &Projection, spots: &mut Vec<Spot>) {
@@ -70,28 +61,4 @@ fn reshaped(start: &Subject, change: impl FnOnce(&mut Polygon, &DAffine3) -> Opt
     let simple = is_simple(&polygon.vertices);
     let subject = Subject::Light(light);
     Some(if simple { Change::To(subject) } else { Change::Refused(subject) })
-}
-
-/// A double click on a polygon's edge splits it, on a vertex takes that away; `None` on anything else.
-pub fn double_clicked(subject: &Subject, handle: Handle) -> Option<Edited> {
-    let Subject::Light(light) = subject else { return None };
-    let mut light = light.clone();
-    let Shape::Polygon(polygon) = &mut light.shape else { return None };
-    let count = polygon.vertices.len();
-    let label = match handle {
-        Handle::Edge(i) if i < count => {
-            polygon.vertices.insert(i + 1, polygon.vertices[i].midpoint(polygon.vertices[(i + 1) % count]));
-            "Split edge"
-        }
-        Handle::Vertex(i) if i < count && count > 3 => {
-            polygon.vertices.remove(i);
-            "Delete vertex"
-        }
-        _ => return None,
-    };
-    Some(if is_simple(&polygon.vertices) {
-        Edited::To(label, Box::new(light))
-    } else {
-        Edited::Refused("Without this vertex edges would cross")
-    })
 }

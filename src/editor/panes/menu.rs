@@ -4,7 +4,6 @@ use egui::{Button, Ui, vec2};
 use egui_material_icons::MaterialIcon;
 use egui_material_icons::icons;
 
-use super::icon_button;
 use crate::editor::commands::{Command, LightKind, SurfaceKind, view_methods};
 use crate::editor::files::Files;
 use crate::editor::handles::place::Place;
@@ -12,6 +11,8 @@ use crate::editor::handles::{self, frame::Pivot};
 use crate::editor::presets;
 use crate::editor::session::{Session, Tool};
 use crate::editor::theme;
+use crate::editor::tools::options;
+use crate::editor::tools::outline::OutlineKind;
 use crate::scene::PlotKind;
 
 /// The menu bar; the command that was chosen.
@@ -34,6 +35,9 @@ pub fn menu_bar(ui: &mut Ui, session: &Session, files: &Files) -> Option<Command
         });
         ui.menu_button("Add", |ui| {
             ui.menu_button("Light", |ui| entries(ui, session, &LightKind::ALL.map(Command::AddLight), &mut chosen));
+            ui.menu_button("Outline", |ui| {
+                entries(ui, session, &OutlineKind::ALL.map(Command::Outline), &mut chosen);
+            });
             ui.menu_button("Surface", |ui| {
                 entries(ui, session, &SurfaceKind::ALL.map(Command::AddSurface), &mut chosen);
             });
@@ -142,12 +146,15 @@ pub fn toolbar(ui: &mut Ui, session: &mut Session) -> Option<Command> {
             tool_button(ui, session, tool_icon(tool), Command::Tool(tool), &mut chosen);
         }
         ui.separator();
-        handles::toolbar::show(ui, session, &mut chosen);
-        ui.separator();
-        work_plane(ui, session);
-        ui.separator();
         tool_button(ui, session, icons::ICON_CENTER_FOCUS_STRONG, Command::Focus, &mut chosen);
         tool_button(ui, session, icons::ICON_ZOOM_OUT_MAP, Command::FrameAll, &mut chosen);
+        ui.separator();
+        // What the tool in hand is set to comes last, so that nothing else moves.
+        if !session.tool.draws() {
+            handles::toolbar::show(ui, session, &mut chosen);
+            ui.separator();
+        }
+        options::show(ui, session);
     });
     chosen
 }
@@ -193,20 +200,7 @@ fn tool_icon(tool: Tool) -> MaterialIcon {
         Tool::Place(Place::Highlight) => icons::ICON_AUTO_AWESOME,
         Tool::Place(Place::Diffuse) => icons::ICON_LIGHT_MODE,
         Tool::Place(Place::Rim) => icons::ICON_BEDTIME,
+        Tool::Textured => icons::ICON_TEXTURE,
+        Tool::Outline => icons::ICON_INTERESTS,
     }
-}
-
-/// Height of the plane on which lights are drawn, and its grid.
-fn work_plane(ui: &mut Ui, session: &mut Session) {
-    let plane = &mut session.work_plane;
-    ui.weak("height");
-    let height = egui::DragValue::new(&mut plane.height).speed(0.01).range(-100.0..=1000.0).suffix(" m");
-    ui.add(height).accessible_name("Work plane height").on_hover_text("Lights are drawn this high above the ground");
-    let snap = plane.snap;
-    let color = if snap { theme::accent(ui.visuals()) } else { ui.visuals().weak_text_color() };
-    if icon_button(ui, icons::ICON_GRID_ON, color, "Snap to grid").clicked() {
-        plane.snap = !snap;
-    }
-    let grid = egui::DragValue::new(&mut plane.grid).speed(0.005).range(0.001..=10.0).suffix(" m");
-    ui.add_enabled(snap, grid).accessible_name("Grid spacing").on_hover_text("Grid spacing");
 }

@@ -2,36 +2,53 @@
 
 use glam::{DAffine3, DVec2, DVec3};
 
-use crate::light::{Light, Line, Polygon, Quantity, QuantityKind, Shape, Sphere, Tint};
+use super::work_plane::Canvas;
+use crate::editor::edits::softbox_pattern;
+use crate::light::{Disk, Light, Line, Polygon, Quantity, QuantityKind, Shape, Sphere, Textured};
 
 /// Luminance of a new polygon or sphere, cd/m²: ten times the white of a picture at exposure 0.
 const LUMINANCE: f64 = 1000.0;
 /// Intensity of a new line, cd/m: a tube 10 cm across of luminance 5000 cd/m² seen from the side.
 const INTENSITY_PER_METRE: f64 = 500.0;
-/// A line or sphere smaller than this, metres, was a slip of the hand.
-const LEAST_SIZE: f64 = 1e-3;
+/// What is smaller than this, metres, was a slip of the hand.
+pub const LEAST_SIZE: f64 = 1e-3;
 
-/// A polygon at `height` that lights what is below, its origin at its centre of area.
-pub fn polygon(vertices: &[DVec2], height: f64) -> Light {
+/// A polygon, its origin at its centre of area. A number for the canvas is the height of a level one.
+pub fn polygon(vertices: &[DVec2], on: impl Into<Canvas>) -> Light {
+    let canvas = on.into();
     let center = centroid(vertices);
-    let local = vertices.iter().map(|v| rounded(*v - center, 1e6)).collect();
+    let local = vertices.iter().map(|v| rounded(canvas.local(*v - center), 1e6)).collect();
     let shape = Shape::Polygon(Polygon { vertices: local, two_sided: false });
-    light(center.extend(height), DVec3::ZERO, Quantity::new(QuantityKind::Luminance, LUMINANCE), shape)
+    flat(center, &canvas, shape)
 }
 
-/// A line between two points at `height`; `None` when they coincide.
-pub fn line(ends: [DVec2; 2], height: f64) -> Option<Light> {
-    let (middle, rotation_deg, length) = line_placement(ends[0].extend(height), ends[1].extend(height))?;
+/// A disk; `None` without radius.
+pub fn disk(center: DVec2, on: impl Into<Canvas>, radius: f64) -> Option<Light> {
+    let shape = Shape::Disk(Disk { radius, two_sided: false });
+    (radius >= LEAST_SIZE).then(|| flat(center, &on.into(), shape))
+}
+
+/// A rectangle between two corners, with the pattern of a softbox; `None` without area.
+pub fn textured(corners: [DVec2; 2], on: impl Into<Canvas>) -> Option<Light> {
+    let size = rounded((corners[1] - corners[0]).abs(), 1e6);
+    let shape = Shape::Textured(Textured { size, pattern: softbox_pattern(), two_sided: false });
+    (size.min_element() >= LEAST_SIZE).then(|| flat(corners[0].midpoint(corners[1]), &on.into(), shape))
+}
+
+/// A line between two points; `None` when they coincide.
+pub fn line(ends: [DVec2; 2], on: impl Into<Canvas>) -> Option<Light> {
+    let frame = on.into().frame;
+    let (middle, rotation_deg, length) = line_placement(frame.point(ends[0]), frame.point(ends[1]))?;
     let shape = Shape::Line(Line::isotropic(length));
     let quantity = Quantity::new(QuantityKind::IntensityPerMetre, INTENSITY_PER_METRE);
     Some(light(middle, rotation_deg, quantity, shape))
 }
 
-/// A sphere about a point at `height`; `None` without radius.
-pub fn sphere(center: DVec2, height: f64, radius: f64) -> Option<Light> {
+/// A sphere; `None` without radius.
+pub fn sphere(center: DVec2, on: impl Into<Canvas>, radius: f64) -> Option<Light> {
     (radius >= LEAST_SIZE).then(|| {
         let quantity = Quantity::new(QuantityKind::Luminance, LUMINANCE);
-        light(center.extend(height), DVec3::ZERO, quantity, Shape::Sphere(Sphere { radius }))
+        light(on.into().frame.point(center), DVec3::ZERO, quantity, Shape::Sphere(Sphere { radius }))
     })
 }
 
@@ -51,19 +68,15 @@ pub fn line_placement(a: DVec3, b: DVec3) -> Option<(DVec3, DVec3, f64)> {
     Some((a.midpoint(b), DVec3::new(0.0, ry.to_degrees(), rz.to_degrees()), length))
 }
 
+/// A flat light about a point of the canvas.
+fn flat(center: DVec2, canvas: &Canvas, shape: Shape) -> Light {
+    let quantity = Quantity::new(QuantityKind::Luminance, LUMINANCE);
+    light(canvas.frame.point(center), canvas.rotation_deg(), quantity, shape)
+}
+
 fn light(position: DVec3, rotation_deg: DVec3, quantity: Quantity, shape: Shape) -> Light {
-    let name = shape.name().to_owned();
-    Light {
-        name,
-        position,
-        rotation_deg,
-        tint: Tint::default(),
-        quantity,
-        muted: false,
-        group: None,
-        only: None,
-        shape,
-    }
+    let light = Light::new(shape.name(), shape);
+    Light { position, rotation_deg, quantity, ..light }
 }
 
 /// Centre of area of a simple polygon, to a millimetre, so that files stay readable.
@@ -80,6 +93,7 @@ fn rounded(p: DVec2, per_metre: f64) -> DVec2 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::editor::tools::work_plane::Frame;
     use crate::light::Emitter;
     use crate::math::frame;
     use glam::dvec2;
@@ -121,7 +135,37 @@ mod tests {
     }
 
     #[test]
-    fn a_sphere_without_radius_is_none() {
+    fn on_an_upright_plane_and_on_its_other_side_corners_stay_where_they_were_drawn() {
+        let corners = [dvec2(0.2, 0.5), dvec2(1.4, 0.6), dvec2(0.3, 1.9)];
+        let frame = Frame { origin: DVec3::new(0.0, 2.0, 0.0), u: DVec3::X, v: DVec3::Z };
+        for forward in [true, false] {
+            let canvas = Canvas { frame, forward };
+            let Emitter::Polygon(emitter) = polygon(&corners, canvas).emitter() else { panic!("a polygon") };
+            assert!(emitter.normal.distance(canvas.lit()) < 1e-12, "shines along {}", emitter.normal);
+            for corner in corners {
+                let found = emitter.vertices.iter().any(|v| v.distance(frame.point(corner)) < 1e-9);
+                assert!(found, "{corner} in {:?}", emitter.vertices);
+            }
+        }
+    }
+
+    #[test]
+    fn a_textured_rectangle_lies_between_its_corners_whichever_comes_first() {
+        for corners in [[dvec2(0.5, 1.0), dvec2(2.0, 0.25)], [dvec2(2.0, 0.25), dvec2(0.5, 1.0)]] {
+            let light = textured(corners, 2.0).expect("it has an area");
+            let Shape::Textured(textured) = &light.shape else { panic!("textured") };
+            assert_eq!(
+                (textured.size, light.position),
+                (dvec2(1.5, 0.75), DVec3::new(1.25, 0.625, 2.0)),
+                "{corners:?}"
+            );
+        }
+        assert_eq!(textured([DVec2::ZERO, dvec2(1.0, 0.0)], 2.0), None, "no area");
+    }
+
+    #[test]
+    fn without_radius_there_is_no_sphere_and_no_disk() {
         assert_eq!(sphere(DVec2::ZERO, 1.0, 0.0), None, "a click without drag");
+        assert_eq!(disk(DVec2::ZERO, 1.0, 0.0), None, "likewise");
     }
 }

@@ -189,7 +189,7 @@ impl Viewport {
             }
         }
         if dark && !session.tool.draws() {
-            let text = "No light is on.  Draw one:  P polygon,  L line,  O sphere";
+            let text = "No light is on.  Draw one:  P polygon,  L line,  O sphere,  T textured,  N outline";
             let at = projection.rect().center_bottom() - vec2(0.0, 40.0);
             overlay::label(text, at, Align2::CENTER_BOTTOM, Color32::from_gray(0xd8), painter);
         }

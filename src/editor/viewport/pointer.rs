@@ -5,9 +5,9 @@ use egui::{Color32, Modifiers, Painter, PointerButton, Response, Ui};
 use super::navigate;
 use super::pick::{self, Solids};
 use super::projection::Projection;
-use crate::editor::handles::Handle;
 use crate::editor::handles::click::Placing;
 use crate::editor::handles::grip::{Grip, Holding};
+use crate::editor::handles::{Handle, corners};
 use crate::editor::session::{Item, Session};
 use crate::editor::tools::drawing::Drawing;
 
@@ -51,7 +51,7 @@ impl Pointer {
             self.spent = false;
         }
         self.hovered = None;
-        if self.drawing.update(ui, response, session, &projection) {
+        if self.drawing.update(ui, response, session, solids, &projection) {
             self.spent = true;
         }
         if session.tool.draws() {
@@ -74,13 +74,12 @@ impl Pointer {
                 self.hover(response, session, solids, &projection);
             }
             let hot = self.grip.hot();
-            if response.clicked() && !was_spent && hot.is_none_or(|(_, handle)| handle == Handle::Probe) {
+            let done = !was_spent && corners::update(ui, response, session, hot, &projection);
+            if response.clicked() && !was_spent && !done && hot.is_none_or(|(_, handle)| handle == Handle::Probe) {
                 let item = hot.map(|(item, _)| item).or(self.hovered);
                 select(session, item, ui.input(|input| input.modifiers));
             }
-            if response.double_clicked() {
-                self.grip.double_click(session);
-            }
+            corners::menu(response, session, hot);
         }
     }
 
@@ -118,11 +117,17 @@ impl Pointer {
             .hovered
             .and_then(|item| item.name(session.scene()))
             .map_or_else(String::new, |name| format!("Click to select {name}"));
+        if self.hovered.is_none_or(|item| session.selection.contains(item))
+            && let Some(hint) = corners::edge_on_hint(session, projection)
+        {
+            session.hint = hint;
+        }
     }
 
     /// Draw handles, what is refused, and what is being drawn.
     pub fn paint(&self, session: &Session, accent: Color32, projection: &Projection, painter: &Painter) {
         self.grip.paint(projection, painter);
+        corners::paint(session, accent, projection, painter);
         self.drawing.paint(session, accent, projection, painter);
         self.placing.paint(session, accent, projection, painter);
     }

@@ -3,10 +3,10 @@
 use std::ops::RangeInclusive;
 
 use egui::{Color32, Painter, Pos2, Rect, Stroke};
-use glam::{DVec2, DVec3};
+use glam::DVec2;
 
 use crate::editor::handles::AXIS_COLORS;
-use crate::editor::session::WorkPlane;
+use crate::editor::tools::work_plane::{Frame, PlaneKind, WorkPlane};
 use crate::editor::viewport::pick::Solids;
 use crate::editor::viewport::projection::Projection;
 use crate::scene::Camera;
@@ -100,14 +100,14 @@ fn fade(share: f64) -> f32 {
     (linear * linear) as f32
 }
 
-/// Draw the work plane's grid around `at`, fading.
-pub fn paint_work_plane(plane: &WorkPlane, at: DVec2, projection: &Projection, painter: &Painter) {
-    let height = |p: DVec2| DVec3::new(p.x, p.y, plane.height);
+/// Draw the work plane's grid around `at`, fading, in the colour of its kind.
+pub fn paint_work_plane(plane: &WorkPlane, frame: &Frame, at: DVec2, projection: &Projection, painter: &Painter) {
     // Lines closer than 8 points would be a blur: take every second, fifth, tenth, …
-    let least = 8.0 * projection.metres_per_point(height(at));
+    let least = 8.0 * projection.metres_per_point(frame.point(at));
     let step = [1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0].map(|n| n * plane.grid).into_iter().find(|step| *step >= least);
     let Some(step) = step.filter(|step| *step > 0.0) else { return };
     let middle = (at / step).round();
+    let color = plane_color(plane.kind);
     let cells: RangeInclusive<i32> = -LINES..=LINES;
     for along in 0..2 {
         for line in cells.clone() {
@@ -120,18 +120,31 @@ pub fn paint_work_plane(plane: &WorkPlane, at: DVec2, projection: &Projection, p
             for cell in -LINES..LINES {
                 let (a, b) = (corner(cell), corner(cell + 1));
                 let fade = fade(a.midpoint(b).distance(at) / (f64::from(LINES) * step));
-                if let Some(segment) = (fade > 0.02).then(|| projection.segment(height(a), height(b))).flatten() {
-                    let color = Color32::from_rgb(0x7d, 0xb8, 0xff).gamma_multiply(0.28 * fade);
-                    painter.line_segment(segment, Stroke::new(1.0, color));
+                let segment = (fade > 0.02).then(|| projection.segment(frame.point(a), frame.point(b))).flatten();
+                if let Some(segment) = segment {
+                    painter.line_segment(segment, Stroke::new(1.0, color.gamma_multiply(0.28 * fade)));
                 }
             }
         }
     }
 }
 
+/// The colour of a work plane's grid: that of the axis to which it is perpendicular, where there is one.
+fn plane_color(kind: PlaneKind) -> Color32 {
+    let light = |axis: usize| AXIS_COLORS[axis].lerp_to_gamma(Color32::WHITE, 0.3);
+    match kind {
+        PlaneKind::Side => light(0),
+        PlaneKind::Front => light(1),
+        PlaneKind::Level => light(2),
+        PlaneKind::Facing => Color32::from_rgb(0xd9, 0x9b, 0xff),
+        PlaneKind::Surface => Color32::from_rgb(0x5f, 0xe3, 0xd0),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use glam::DVec3;
 
     #[test]
     fn the_grid_is_a_power_of_ten_that_grows_with_distance() {

@@ -54,7 +54,8 @@ pub fn label(text: &str, pos: Pos2, anchor: Align2, color: Color32, painter: &Pa
 
 /// A length for people: metres above 1 m, else centimetres.
 pub fn length_text(metres: f64) -> String {
-    if metres.abs() < 1.0 { format!("{:.1} cm", 100.0 * metres) } else { format!("{metres:.2} m") }
+    // What would be rounded to 100.0 cm is a metre.
+    if metres.abs() < 0.9995 { format!("{:.1} cm", 100.0 * metres) } else { format!("{metres:.2} m") }
 }
 
 #[cfg(test)]
@@ -65,5 +66,6 @@ mod tests {
     fn lengths_below_a_metre_are_in_centimetres() {
         assert_eq!(length_text(0.253), "25.3 cm", "below");
         assert_eq!(length_text(2.5), "2.50 m", "above");
+        assert_eq!((length_text(0.99999), length_text(0.9994)), ("1.00 m".to_owned(), "99.9 cm".to_owned()), "about");
     }
 }
