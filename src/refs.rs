@@ -37,3 +37,21 @@ pub const SHIRLEY_CHIU_1997: &str = "Shirley & Chiu 1997";
 
 /// E. Veach and L. J. Guibas, *Optimally Combining Sampling Techniques for Monte Carlo Rendering*, SIGGRAPH 1995.
 pub const VEACH_GUIBAS_1995: &str = "Veach & Guibas 1995";
+
+/// I. M. Sobol, *On the Distribution of Points in a Cube and the Approximate Evaluation of Integrals*, USSR Computational
+/// Mathematics and Mathematical Physics 7(4), 1967.
+pub const SOBOL_1967: &str = "Sobol 1967";
+
+/// A. B. Owen, *Randomly Permuted (t,m,s)-Nets and (t,s)-Sequences*, Monte Carlo and Quasi-Monte Carlo Methods in
+/// Scientific Computing, 1995.
+pub const OWEN_1995: &str = "Owen 1995";
+
+/// S. Laine and T. Karras, *Stratified Sampling for Stochastic Transparency*, Computer Graphics Forum 30(4), 2011.
+pub const LAINE_KARRAS_2011: &str = "Laine & Karras 2011";
+
+/// M. Jarzynski and M. Olano, *Hash Functions for GPU Rendering*, Journal of Computer Graphics Techniques 9(3), 2020.
+pub const JARZYNSKI_OLANO_2020: &str = "Jarzynski & Olano 2020";
+
+/// T. Duff, J. Burgess, P. Christensen, C. Hery, A. Kensler, M. Liani and R. Villemin, *Building an Orthonormal Basis,
+/// Revisited*, Journal of Computer Graphics Techniques 6(1), 2017.
+pub const DUFF_2017: &str = "Duff et al. 2017";

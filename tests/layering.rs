@@ -55,13 +55,13 @@ fn faults(folder: &str, line: &str) -> Vec<String> {
     faults
 }
 
-fn rust_files(folder: &Path, files: &mut Vec<PathBuf>) {
+fn files_of(folder: &Path, kind: &str, files: &mut Vec<PathBuf>) {
     let entries = fs::read_dir(folder).expect("src is readable");
     for entry in entries {
         let path = entry.expect("src is readable").path();
         if path.is_dir() {
-            rust_files(&path, files);
-        } else if path.extension().is_some_and(|extension| extension == "rs") {
+            files_of(&path, kind, files);
+        } else if path.extension().is_some_and(|extension| extension == kind) {
             files.push(path);
         }
     }
@@ -86,7 +86,7 @@ fn every_folder_uses_only_what_lies_before_it() {
     let mut lines = 0;
     for folder in source_folders() {
         let mut files = Vec::new();
-        rust_files(&src.join(&folder), &mut files);
+        files_of(&src.join(&folder), "rs", &mut files);
         for file in files {
             let text = fs::read_to_string(&file).expect("a source file is readable");
             for (number, line) in text.lines().enumerate() {
@@ -110,6 +110,26 @@ fn every_folder_has_its_place_in_the_order() {
     for folder in source_folders() {
         assert!(known.contains(&folder.as_str()), "src/{folder} has no place in MAY_USE");
     }
+}
+
+#[test]
+fn shaders_cite_only_what_is_in_the_bibliography() {
+    let src = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let refs = fs::read_to_string(src.join("refs.rs")).expect("the bibliography is readable");
+    let mut files = Vec::new();
+    files_of(&src.join("gpu/shaders"), "wgsl", &mut files);
+    let mut cited = 0;
+    for file in files {
+        let text = fs::read_to_string(&file).expect("a shader is readable");
+        let names = text.split('[').skip(1).filter_map(|rest| rest.split_once(']')).map(|(name, _)| name);
+        let is_citation =
+            |name: &&str| name.contains('_') && name.chars().all(|c| matches!(c, 'A'..='Z' | '0'..='9' | '_'));
+        for name in names.filter(is_citation) {
+            cited += 1;
+            assert!(refs.contains(&format!("pub const {name}:")), "{}: {name} is not in refs.rs", file.display());
+        }
+    }
+    assert!(cited > 5, "only {cited} citations were found: the test looks for the wrong thing");
 }
 
 #[test]

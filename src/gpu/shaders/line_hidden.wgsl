@@ -2,7 +2,7 @@
 //
 // A point of the light is to_a + t·along from p, 0 ≤ t ≤ 1, and of the triangle that p makes with it λ times that,
 // 0 < λ ≤ 1. A convex item cuts a convex piece out of the triangle, whose shadow on the light is one interval of t: from
-// p outside of it. Its ends are where the piece has a corner, or where a ray touches it ([POULIN_1990], §5).
+// p outside of it. Its ends are where the piece has a corner, or where a ray touches it ([POULIN_AMANATIDES_1990], §5).
 
 // The part of the light that is so near to its end, as seen from p, that what is there only touches it.
 const AT_END = 1e-5;

@@ -2,7 +2,7 @@
 //
 // With f the integrand and V whether a point of the light is seen, the share is ∫fV/∫f, and both integrals are sums over
 // the same rays: all is exactly 1 where nothing is in the way, and 0 where nothing is seen. Rays go to points of the
-// light, and along the lobe too where that is narrower than the light; each is weighed by the density of both [VEACH_1995].
+// light, and along the lobe too where that is narrower than the light; each is weighed by the density of both [VEACH_GUIBAS_1995].
 // `draw`, `meet`, `solid_angle` and `is_hidden` are chosen when the shader is joined.
 
 struct ShadowPass {
