@@ -27,7 +27,7 @@ const NOT_IN_PURE: &[&str] =
     &["std::fs", "std::io", "std::net", "std::process", "log::", "println!", "eprintln!", "dbg!", "f32"];
 
 /// Image data, which images give in single precision, may stay so in these files.
-const IMAGE_DATA: &[&str] = &["light/pattern", "scene/pattern"];
+const IMAGE_DATA: &[&str] = &["light/pattern", "scene/pattern", "scene/history"];
 
 /// Where single precision may be born.
 const SINGLE_PRECISION: &[&str] = &["gpu", "editor", "export", "render", "cli", "analysis"];
