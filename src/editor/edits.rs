@@ -197,7 +197,7 @@ pub(super) fn softbox_pattern() -> Pattern {
         });
         let mut bytes = std::io::Cursor::new(Vec::new());
         falloff.write_to(&mut bytes, image::ImageFormat::Png).expect("grey bytes are a PNG picture");
-        let file = "textures/softbox.png";
+        let file = "textures/softbox-falloff.png";
         scene::pattern_of_bytes(file, bytes.into_inner()).expect("what was just written is a picture")
     });
     PATTERN.clone()

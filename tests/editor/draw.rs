@@ -249,7 +249,7 @@ fn a_letter_with_a_hole_is_one_light() {
     assert_eq!(polygon.check(), Ok(()), "a simple outline");
     let heights = corners(&light).into_iter().map(|p| p.z);
     let (low, high) = heights.fold((f64::MAX, f64::MIN), |(low, high), z| (low.min(z), high.max(z)));
-    assert!((low - 0.4).abs() < 1e-5 && (high - 1.6).abs() < 1e-5, "from {low} to {high}");
+    assert!((low - 0.4).abs() < 2e-4 && (high - 1.6).abs() < 2e-4, "from {low} to {high}");
     window.check_all_undone(&["Add polygon"]);
 }
 
@@ -292,4 +292,60 @@ fn the_bar_of_a_tool_shows_its_plane_and_what_it_makes() {
     window.hover_over([1.5, 0.1, 0.8]);
     window.harness.snapshot("draw_on_surface");
     assert_eq!(window.session().tool, Tool::Textured, "still drawing");
+}
+
+/// A rectangular light seen well from above.
+const PANEL: &str = r#"format = 1
+[camera]
+eye = [1.0, -5.0, 8.0]
+target = [0.0, 0.0, 2.0]
+fov_deg = 36.0
+[[light]]
+name = "panel"
+position = [0.0, 0.0, 2.0]
+luminance = 1000.0
+shape = { polygon = { vertices = [[-1.0, -0.8], [1.0, -0.8], [1.0, 0.8], [-1.0, 0.8]] } }
+"#;
+
+#[test]
+fn corners_and_edges_are_added_moved_and_deleted_afterwards() {
+    let mut window = Window::with(PANEL);
+    let first = window.scene();
+    window.click_at([-0.4, -0.3, 2.0]);
+    window.click_at([0.0, -0.8, 2.0]);
+    assert_eq!(corners(&window.light("panel")).len(), 5, "a click in the middle of an edge adds a corner");
+    window.drag_from_to([0.0, -0.8, 2.0], [0.0, -1.2, 2.0]);
+    window.drag_from_to([-1.0, 0.0, 2.0], [-1.4, 0.0, 2.0]);
+    window.holding(Modifiers::ALT, |window| window.click_at([-1.4, 0.4, 2.0]));
+    assert_eq!(corners(&window.light("panel")).len(), 6, "and so does Alt+click anywhere on one");
+    window.key(Modifiers::NONE, Key::Delete);
+    window.click_at([1.0, 0.8, 2.0]);
+    window.harness.snapshot("draw_corner_chosen");
+    window.key(Modifiers::NONE, Key::Backspace);
+    assert!(!window.scene().lights.is_empty(), "keys delete the chosen corner, not the light");
+    let expected = [[-1.4, -0.8, 2.0], [0.0, -1.2, 2.0], [1.0, -0.8, 2.0], [-1.4, 0.8, 2.0]];
+    check_corners(&window.light("panel"), &expected, 0.02);
+
+    // Over the far edge and beyond: the shape would cross itself.
+    let before = window.scene();
+    let (from, to) = (window.at([0.0, -1.2, 2.0]), window.at([0.4, 0.9, 2.0]));
+    let button = |pos, pressed| {
+        let (button, modifiers) = (egui::PointerButton::Primary, Modifiers::NONE);
+        Event::PointerButton { pos, button, pressed, modifiers }
+    };
+    window.hover(from);
+    window.harness.event(button(from, true));
+    window.harness.step();
+    window.hover(to);
+    assert!(window.says("may not cross"), "it says so");
+    window.harness.snapshot("draw_corner_refused");
+    window.harness.event(button(to, false));
+    window.settle();
+    assert_eq!(corners(&window.light("panel")).len(), 4, "refused");
+    assert_eq!(window.scene(), before, "nothing came of what was refused");
+    assert_eq!(window.saved(), *before, "the file holds the document");
+
+    let steps = ["Delete vertex", "Delete vertex", "Add vertex", "Move edge", "Move vertex", "Add vertex"];
+    assert_eq!(window.steps_back(), steps, "one step each");
+    assert_eq!(scene::to_toml(&window.scene()), scene::to_toml(&first), "as before, byte for byte");
 }

@@ -1,6 +1,6 @@
 //! Corners of a polygon chosen, added and deleted.
 
-use egui::{Color32, Key, Modifiers, Painter, Pos2, Response, Stroke, Ui};
+use egui::{Color32, Key, Modifiers, Painter, Pos2, Response, Stroke, Ui, vec2};
 use glam::DVec2;
 
 use super::{Handle, segment_distance};
@@ -197,16 +197,32 @@ pub fn edge_on_hint(session: &Session, projection: &Projection) -> Option<String
     (facing < LEAST_FACING).then(|| format!("{} is seen edge-on: orbit the view to edit its corners", light.name))
 }
 
-/// A ring about the chosen corner.
-pub fn paint(session: &Session, color: Color32, projection: &Projection, painter: &Painter) {
-    let at = session.corner().and_then(|corner| {
-        let (_, light) = session.selected_polygonal_light()?;
-        let vertex = session.selected_polygon()?.vertices.get(corner.vertex)?;
-        projection.project(light.world_from_light().transform_point3(vertex.extend(0.0)))
-    });
-    if let Some(at) = at {
+/// A ring about the chosen corner, and a plus where a click would add one: in the middle of the edge under the pointer.
+pub fn paint(
+    session: &Session,
+    hot: Option<(Item, Handle)>,
+    color: Color32,
+    projection: &Projection,
+    painter: &Painter,
+) {
+    let Some((_, light)) = session.selected_polygonal_light() else { return };
+    let Some(polygon) = session.selected_polygon() else { return };
+    let place = light.world_from_light();
+    let on_screen = |v: DVec2| projection.project(place.transform_point3(v.extend(0.0)));
+    let chosen = session.corner().and_then(|corner| polygon.vertices.get(corner.vertex));
+    if let Some(at) = chosen.and_then(|vertex| on_screen(*vertex)) {
         painter.circle_stroke(at, RING, Stroke::new(3.5, Color32::from_black_alpha(150)));
         painter.circle_stroke(at, RING, Stroke::new(2.0, color));
+    }
+    let Some((_, Handle::Edge(edge))) = hot else { return };
+    let ends = [edge, (edge + 1) % polygon.vertices.len().max(1)].map(|i| polygon.vertices.get(i));
+    if let [Some(a), Some(b)] = ends
+        && let Some(at) = on_screen(a.midpoint(*b))
+    {
+        painter.circle(at, RING, color, Stroke::new(1.5, Color32::from_black_alpha(190)));
+        for arm in [vec2(4.5, 0.0), vec2(0.0, 4.5)] {
+            painter.line_segment([at - arm, at + arm], Stroke::new(2.0, Color32::BLACK));
+        }
     }
 }
 

@@ -1,5 +1,6 @@
 //! Drawing with the mouse and the keyboard.
 
+use egui::text::{CCursor, CCursorRange};
 use egui::{Area, Color32, CursorIcon, Event, Frame, Id, Key, Modifiers, Order, Painter, Pos2};
 use egui::{Response, TextEdit, Ui, vec2};
 
@@ -140,7 +141,7 @@ impl Drawing {
         if let Some(last) = self.draft.last().filter(|_| modifiers.shift) {
             return Some(plain(snap::constrained(last, free, step)));
         }
-        let caught = plane.to_corners.then(|| snap::corner(session.scene(), frame, projection, pos)).flatten();
+        let caught = plane.to_corners.then(|| snap::corner(session.scene(), frame, projection, pos, free)).flatten();
         if let Some(caught) = caught {
             return Some(Cursor { corner: Some(caught.corner), ..plain(caught.at) });
         }
@@ -308,6 +309,9 @@ impl Field {
                 let response = ui.add(edit);
                 if std::mem::take(&mut self.wants_focus) {
                     response.request_focus();
+                    let mut state = egui::text_edit::TextEditState::load(ui.ctx(), response.id).unwrap_or_default();
+                    state.cursor.set_char_range(Some(CCursorRange::one(CCursor::end_of_str(&self.text))));
+                    state.store(ui.ctx(), response.id);
                 }
                 response.accessible_name("Typed dimension");
             });

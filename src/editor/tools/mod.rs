@@ -84,6 +84,10 @@ impl Pen {
     pub fn is_by_corners(&self) -> bool {
         self.tool == Tool::Textured || self.tool == Tool::Outline && self.outline.kind.is_by_corners()
     }
+
+    fn is_letter(&self) -> bool {
+        self.tool == Tool::Outline && self.outline.kind == OutlineKind::Letter
+    }
 }
 
 impl Draft {
@@ -148,6 +152,10 @@ impl Draft {
         match Typed::parse(text).ok_or_else(wrong)? {
             Typed::Size(width, height) if by_corners => Ok(size(width, height)),
             Typed::Length(side) if by_corners => Ok(size(side, side)),
+            // A letter is measured by its height, and drawn from its centre.
+            Typed::Length(height) if pen.is_letter() => {
+                Ok(from + 0.5 * height * along.try_normalize().unwrap_or(DVec2::X))
+            }
             Typed::Length(length) => Ok(from + length * along.try_normalize().unwrap_or(DVec2::X)),
             Typed::Polar(length, angle_deg) if !by_corners => Ok(from + length * snap::direction(angle_deg)),
             _ => Err(wrong()),
@@ -244,6 +252,9 @@ mod tests {
         assert_eq!(typed(Tool::Line, "2<180", dvec2(1.0, 0.5)), Ok(dvec2(-1.0, 1.0)), "with its direction");
         assert_eq!(typed(Tool::Textured, "2x0.5", dvec2(0.0, 3.0)), Ok(dvec2(-1.0, 1.5)), "width and height");
         assert_eq!(typed(Tool::Outline, "3", dvec2(2.0, 0.0)), Ok(dvec2(4.0, -2.0)), "a square");
+        let letter = Outline { kind: OutlineKind::Letter, ..Outline::default() };
+        let letter = Pen { outline: letter, ..pen(Tool::Outline) };
+        assert_eq!(from.typed(&letter, "3", dvec2(1.0, 2.0)), Ok(dvec2(1.0, 2.5)), "half of a letter’s height");
         for (tool, text) in [(Tool::Line, "2x1"), (Tool::Textured, "2<30"), (Tool::Sphere, "wide")] {
             assert!(typed(tool, text, DVec2::ZERO).is_err(), "{tool:?}: {text}");
         }

@@ -2,6 +2,7 @@
 
 use glam::{DAffine3, DVec2, DVec3};
 
+use super::polygon::is_simple;
 use super::work_plane::Canvas;
 use crate::editor::edits::softbox_pattern;
 use crate::light::{Disk, Light, Line, Polygon, Quantity, QuantityKind, Shape, Sphere, Textured};
@@ -17,8 +18,11 @@ pub const LEAST_SIZE: f64 = 1e-3;
 pub fn polygon(vertices: &[DVec2], on: impl Into<Canvas>) -> Light {
     let canvas = on.into();
     let center = centroid(vertices);
-    let local = vertices.iter().map(|v| rounded(canvas.local(*v - center), 1e6)).collect();
-    let shape = Shape::Polygon(Polygon { vertices: local, two_sided: false });
+    let local: Vec<DVec2> = vertices.iter().map(|v| canvas.local(*v - center)).collect();
+    let per_metre = per_metre(&local);
+    let short: Vec<DVec2> = local.iter().map(|v| rounded(*v, per_metre)).collect();
+    let vertices = if is_simple(&short) { short } else { local };
+    let shape = Shape::Polygon(Polygon { vertices, two_sided: false });
     flat(center, &canvas, shape)
 }
 
@@ -85,6 +89,12 @@ fn centroid(vertices: &[DVec2]) -> DVec2 {
     rounded(polygon.place(&DAffine3::IDENTITY).centroid().truncate(), 1e3)
 }
 
+/// Parts of a metre to which an outline is rounded so that its numbers are short: a ten-thousandth of its size or less.
+fn per_metre(vertices: &[DVec2]) -> f64 {
+    let size = vertices.iter().map(|v| v.abs().max_element()).fold(LEAST_SIZE, f64::max);
+    10.0_f64.powf(4.0 - size.log10().floor())
+}
+
 /// Rounded to one part in `per_metre` of a metre; zeros are positive.
 fn rounded(p: DVec2, per_metre: f64) -> DVec2 {
     (p * per_metre).round() / per_metre + DVec2::ZERO
@@ -146,6 +156,19 @@ mod tests {
                 let found = emitter.vertices.iter().any(|v| v.distance(frame.point(corner)) < 1e-9);
                 assert!(found, "{corner} in {:?}", emitter.vertices);
             }
+        }
+    }
+
+    #[test]
+    fn numbers_of_an_outline_are_short_however_large_it_is() {
+        for size in [0.004, 0.7, 3.0, 250.0] {
+            let third = size / 3.0;
+            let light = polygon(&[dvec2(0.0, 0.0), dvec2(third, 0.0), dvec2(0.0, third)], 2.0);
+            let Shape::Polygon(polygon) = &light.shape else { panic!("a polygon") };
+            let off = (polygon.vertices[1].x - polygon.vertices[0].x - third).abs();
+            assert!(off <= 2e-4 * size, "{size}: moved by {off}");
+            let digits = format!("{}", polygon.vertices[1].x).trim_start_matches(['-', '0', '.']).len();
+            assert!(digits <= 6, "{size}: {}", polygon.vertices[1].x);
         }
     }
 

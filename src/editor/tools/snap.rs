@@ -12,6 +12,8 @@ use crate::surface::{Shape, Surface};
 
 /// The pointer sticks to a corner within this distance, points.
 const REACH: f32 = 8.0;
+/// On a plane seen flatly, what is further away on the plane than so many times the reach is not near.
+const FLAT: f64 = 3.0;
 /// Constrained directions are multiples of this, degrees.
 const ANGLE_STEP_DEG: f64 = 15.0;
 /// A disk has so many corners on its rim: where its axes end.
@@ -26,13 +28,15 @@ pub struct Caught {
     pub at: DVec2,
 }
 
-/// Of all corners of lights and surfaces the one whose place on the work plane is nearest to the pointer and within reach.
-pub fn corner(scene: &Scene, frame: &Frame, projection: &Projection, pos: Pos2) -> Option<Caught> {
+/// Of all corners of lights and surfaces the one whose place on the work plane is nearest to the pointer and within
+/// reach; the pointer is at `pos` on screen and over `free` on the plane.
+pub fn corner(scene: &Scene, frame: &Frame, projection: &Projection, pos: Pos2, free: DVec2) -> Option<Caught> {
+    let widest = FLAT * f64::from(REACH) * projection.metres_per_point(frame.point(free));
     let corners = scene.lights.iter().flat_map(light_corners).chain(scene.surfaces.iter().flat_map(surface_corners));
     let near = corners.filter_map(|corner| {
         let at = frame.coordinates(corner);
         let distance = projection.project(frame.point(at))?.distance(pos);
-        (distance <= REACH).then_some((Caught { corner, at }, distance))
+        (distance <= REACH && at.distance(free) <= widest).then_some((Caught { corner, at }, distance))
     });
     near.min_by(|(_, a), (_, b)| a.total_cmp(b)).map(|(caught, _)| caught)
 }
@@ -110,10 +114,16 @@ mod tests {
         let projection = Projection::new(&camera, Rect::from_min_max(pos2(0.0, 0.0), pos2(800.0, 600.0)));
         let frame = Frame::level(2.0);
         let foot = projection.project(DVec3::new(1.0, 1.0, 2.0)).expect("in sight");
-        let caught = corner(&scene, &frame, &projection, foot + vec2(4.0, -5.0)).expect("within reach");
+        let at = |pos| {
+            let free = frame.meet(&projection.ray(pos)).expect("on the plane");
+            corner(&scene, &frame, &projection, pos, free)
+        };
+        let caught = at(foot + vec2(4.0, -5.0)).expect("within reach");
         assert!(caught.at.distance(dvec2(1.0, 1.0)) < 1e-9, "{caught:?}");
         assert!(caught.corner.distance(DVec3::new(1.0, 1.0, 3.0)) < 1e-9, "{caught:?}");
-        assert_eq!(corner(&scene, &frame, &projection, foot + vec2(9.0, 0.0)), None, "out of reach");
+        assert_eq!(at(foot + vec2(9.0, 0.0)), None, "out of reach");
+        let far = dvec2(0.2, 1.0);
+        assert_eq!(corner(&scene, &frame, &projection, foot, far), None, "far away on a plane seen flatly");
     }
 
     #[test]

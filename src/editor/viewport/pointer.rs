@@ -127,7 +127,7 @@ impl Pointer {
     /// Draw handles, what is refused, and what is being drawn.
     pub fn paint(&self, session: &Session, accent: Color32, projection: &Projection, painter: &Painter) {
         self.grip.paint(projection, painter);
-        corners::paint(session, accent, projection, painter);
+        corners::paint(session, self.grip.hot().filter(|_| !self.grip.is_held()), accent, projection, painter);
         self.drawing.paint(session, accent, projection, painter);
         self.placing.paint(session, accent, projection, painter);
     }
