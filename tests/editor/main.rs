@@ -3,6 +3,7 @@
 
 mod draw;
 mod files;
+mod list;
 mod panes;
 mod shapes;
 mod start;
