@@ -140,8 +140,6 @@ pub struct Session {
     pub hint: String,
     /// Messages that have not been shown yet.
     pub notices: Vec<Notice>,
-    /// Groups of lights whose lights are not listed.
-    pub closed_groups: BTreeSet<String>,
     solo: BTreeSet<String>,
     shown: Vec<Shown>,
 }
@@ -322,7 +320,6 @@ impl Session {
             plots: PlotState::default(),
             hint: String::new(),
             notices: Vec::new(),
-            closed_groups: BTreeSet::new(),
             solo: BTreeSet::new(),
             shown: Vec::new(),
         }

@@ -134,6 +134,9 @@ impl Placing {
         projection: &Projection,
     ) {
         let Some(purpose) = Purpose::of(session.tool) else {
+            if self.held.is_some() {
+                session.commit();
+            }
             *self = Self::default();
             return;
         };
@@ -141,8 +144,8 @@ impl Placing {
         self.at = self.pos.and_then(|pos| under(&projection.ray(pos), solids));
         if response.hovered() {
             ui.ctx().set_cursor_icon(CursorIcon::Crosshair);
+            session.hint = purpose.hint(session);
         }
-        session.hint = purpose.hint(session);
         if self.keys(ui, session) {
             return;
         }
@@ -169,7 +172,11 @@ impl Placing {
             // Undo, or something else that ends gestures, came in between.
             self.held = None;
         }
-        if ui.ctx().text_edit_focused() || !ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape)) {
+        let elsewhere = self.held.is_none() && session.history.in_gesture();
+        if elsewhere
+            || ui.ctx().text_edit_focused()
+            || !ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape))
+        {
             return false;
         }
         if self.held.take().is_some() {

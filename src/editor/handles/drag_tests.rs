@@ -349,7 +349,7 @@ fn a_typed_number_is_the_amount_whatever_the_pointer_does() {
     let (from, to) = (center + 0.6 * DVec3::X, center + 0.93 * DVec3::X);
     let typed = |handle, text| light(dragged_and_typed(square(), handle, from, to, None, text));
     assert_eq!(typed(Handle::Axis(0), "1.5").position, DVec3::new(1.5, 0.0, 2.0), "metres along the axis");
-    assert_eq!(typed(Handle::Plane(2), "0.5,-2").position, DVec3::new(0.5, -2.0, 2.0), "along both axes");
+    assert_eq!(typed(Handle::Plane(2), "0.5x-2").position, DVec3::new(0.5, -2.0, 2.0), "along both axes");
     assert_eq!(typed(Handle::Ring(2), "30").rotation_deg, DVec3::new(0.0, 0.0, 30.0), "degrees");
     assert_eq!(vertices(&typed(Handle::Stretch(0), "2"))[2], dvec2(2.0, 1.0), "a factor");
     let disk = of_shape(Shape::Disk(Disk { radius: 0.6, two_sided: false }));

@@ -29,7 +29,7 @@ impl Typed {
 
     /// One more character; what is no part of a number is left out.
     fn push(&mut self, c: char) {
-        if self.text.len() < MOST && (c.is_ascii_digit() || matches!(c, '.' | '-' | ',')) {
+        if self.text.len() < MOST && (c.is_ascii_digit() || matches!(c, '.' | ',' | '-' | 'x')) {
             self.text.push(c);
         }
     }
@@ -39,10 +39,11 @@ impl Typed {
         &self.text
     }
 
-    /// The numbers, which commas part; none while one of them is no number yet.
+    /// The numbers, parted as in `1.2x0.8`; none while one of them is no number yet. A comma is a decimal point.
     pub fn numbers(&self) -> Vec<f64> {
+        let text = self.text.replace(',', ".");
         let numbers: Option<Vec<f64>> =
-            self.text.split(',').map(|number| number.parse().ok().filter(|n: &f64| n.is_finite())).collect();
+            text.split('x').map(|number| number.parse().ok().filter(|n: &f64| n.is_finite())).collect();
         numbers.unwrap_or_default()
     }
 }
@@ -68,9 +69,9 @@ mod tests {
     #[test]
     fn what_is_typed_becomes_numbers_once_it_is_one() {
         assert_eq!(numbers("1.5"), [1.5], "one");
-        assert_eq!(numbers("-.25,2"), [-0.25, 2.0], "two");
-        assert_eq!(numbers("x1e5"), [15.0], "letters are left out");
-        for unfinished in ["", "-", "1,", ".", "1-2"] {
+        assert_eq!(numbers("-.25x2"), [-0.25, 2.0], "two");
+        assert_eq!(numbers("1e,5m"), [1.5], "letters are left out");
+        for unfinished in ["", "-", "1x", ".", "1-2"] {
             assert_eq!(numbers(unfinished), [0.0; 0], "{unfinished}");
         }
     }

@@ -66,6 +66,8 @@ pub fn keys(ctx: &egui::Context, session: &Session) -> bool {
             ("Alt + left drag, middle drag", "orbit"),
             ("Shift + middle drag", "pan"),
             ("Wheel", "zoom"),
+            ("Ctrl, Shift while dragging", "snap, drag fine"),
+            ("1.5, Enter while dragging", "set the amount"),
             ("Enter, double-click, first vertex", "close the polygon"),
             ("Backspace, Esc", "take a vertex back, cancel"),
         ] {
