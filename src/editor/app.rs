@@ -12,10 +12,11 @@ use super::panes::{self, Choice, Messages, Pane, Panes, Views};
 use super::session::Session;
 use super::theme;
 use super::viewport::Viewport;
+use crate::gpu::Stats;
 use crate::scene;
 
 /// Where the arrangement of panes is kept between runs; another number where old arrangements no longer fit.
-const LAYOUT_KEY: &str = "layout-1";
+const LAYOUT_KEY: &str = "layout-2";
 /// Where the recent files are kept between runs.
 const RECENT_KEY: &str = "recent";
 
@@ -64,6 +65,11 @@ impl App {
     /// Whether work is under way, off this thread, that will change what is shown.
     pub fn is_busy(&self) -> bool {
         self.files.is_waiting() || self.views.plots.is_busy()
+    }
+
+    /// How often the viewport's picture was redone, by steps; none without a device to draw on.
+    pub fn picture_stats(&self) -> Option<Stats> {
+        self.views.viewport.as_ref().map(Viewport::stats)
     }
 
     /// Show or hide the list of keys.

@@ -1,5 +1,7 @@
 //! What is done to the list of lights: mute, order, groups, links.
 
+use std::collections::BTreeSet;
+
 use super::session::{Item, Session};
 use crate::light::{Light, QuantityKind};
 use crate::scene::Scene;
@@ -43,7 +45,7 @@ pub fn entries(lights: &[Light]) -> Vec<Entry> {
 }
 
 /// All slots between the lights that are not in `moved`, from the top; groups in `closed` are passed as a whole.
-fn slots(lights: &[Light], moved: &[usize], closed: &dyn Fn(&str) -> bool) -> Vec<Slot> {
+fn slots(lights: &[Light], moved: &[usize], closed: &BTreeSet<String>) -> Vec<Slot> {
     let mut slots = Vec::new();
     for entry in entries(lights) {
         match entry {
@@ -53,7 +55,7 @@ fn slots(lights: &[Light], moved: &[usize], closed: &dyn Fn(&str) -> bool) -> Ve
                 let stay: Vec<_> = members.into_iter().filter(|i| !moved.contains(i)).collect();
                 let Some(first) = stay.first() else { continue };
                 slots.push(Slot { before: Some(*first), group: None });
-                if !closed(&name) {
+                if !closed.contains(&name) {
                     let group = || Some(name.clone());
                     slots.extend(stay.iter().map(|i| Slot { before: Some(*i), group: group() }));
                     let next = stay.last().and_then(|last| after(lights, *last, moved));
@@ -67,14 +69,14 @@ fn slots(lights: &[Light], moved: &[usize], closed: &dyn Fn(&str) -> bool) -> Ve
 }
 
 /// The light that is shown after that one, of those that are not `moved`.
-fn after(lights: &[Light], light: usize, moved: &[usize]) -> Option<usize> {
+pub fn after(lights: &[Light], light: usize, moved: &[usize]) -> Option<usize> {
     let order = order(lights);
     let at = order.iter().position(|i| *i == light)?;
     order[at + 1..].iter().find(|i| !moved.contains(i)).copied()
 }
 
 /// The places of the lights in the order in which they are shown.
-fn order(lights: &[Light]) -> Vec<usize> {
+pub fn order(lights: &[Light]) -> Vec<usize> {
     let lights = entries(lights).into_iter().flat_map(|entry| match entry {
         Entry::Group(_, members) => members,
         Entry::Light(i) => vec![i],
@@ -187,8 +189,8 @@ impl Session {
         self.edit(label, |scene| scene.lights = put(&scene.lights, lights, slot));
     }
 
-    /// Move the selected lights a line up or down: into, through and out of groups that are not `closed`.
-    pub fn shift_selection(&mut self, up: bool, closed: &dyn Fn(&str) -> bool) {
+    /// Move the selected lights a line up or down: into, through and out of groups that are open.
+    pub fn shift_selection(&mut self, up: bool) {
         let moved = self.selected_lights();
         let scene = self.scene().clone();
         let lights = &scene.lights;
@@ -196,7 +198,7 @@ impl Session {
             return;
         }
         let same = |slot: &Slot| put(lights, &moved, slot) == *lights;
-        let slots = slots(lights, &moved, closed);
+        let slots = slots(lights, &moved, &self.closed_groups);
         // Where they stand, as a block at the first one's place.
         let first = order(lights).into_iter().find(|i| moved.contains(i)).unwrap_or_default();
         let next = after(lights, first, &moved);
@@ -280,7 +282,7 @@ mod tests {
     }
 
     fn shift(session: &mut Session, up: bool) -> Vec<String> {
-        session.shift_selection(up, &|_| false);
+        session.shift_selection(up);
         list(session)
     }
 
@@ -298,8 +300,8 @@ mod tests {
         for expected in [["a", "d", "b:g", "c:g"], ["a", "d:g", "b:g", "c:g"]] {
             assert_eq!(shift(&mut session, false), expected, "and down again");
         }
-        session.shift_selection(false, &|_| false);
-        session.shift_selection(false, &|_| false);
+        session.shift_selection(false);
+        session.shift_selection(false);
         assert_eq!(shift(&mut session, false), ["a", "b:g", "c:g", "d"], "out at the lower end");
         assert_eq!(session.selection.items(), [Item::Light(3)], "it stays selected");
     }
@@ -308,7 +310,8 @@ mod tests {
     fn a_closed_group_is_passed_as_a_whole() {
         let mut session = session(&["a", "b:g", "c:g", "d"]);
         select(&mut session, "d");
-        session.shift_selection(true, &|group| group == "g");
+        session.closed_groups.insert("g".to_owned());
+        session.shift_selection(true);
         assert_eq!(list(&session), ["a", "d", "b:g", "c:g"], "over the group");
     }
 

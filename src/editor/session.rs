@@ -140,6 +140,8 @@ pub struct Session {
     pub hint: String,
     /// Messages that have not been shown yet.
     pub notices: Vec<Notice>,
+    /// Groups of lights whose lights are not listed.
+    pub closed_groups: BTreeSet<String>,
     solo: BTreeSet<String>,
     shown: Vec<Shown>,
 }
@@ -320,6 +322,7 @@ impl Session {
             plots: PlotState::default(),
             hint: String::new(),
             notices: Vec::new(),
+            closed_groups: BTreeSet::new(),
             solo: BTreeSet::new(),
             shown: Vec::new(),
         }

@@ -2,7 +2,7 @@
 
 use egui::{Key, KeyboardShortcut, Modifiers};
 
-use super::Command;
+use super::{Command, ListCommand};
 use crate::editor::app::App;
 use crate::editor::handles::place::Place;
 use crate::editor::session::Tool;
@@ -40,6 +40,16 @@ impl Command {
         Self::ToggleSnap,
         Self::ToggleAxes,
         Self::NextPivot,
+        Self::List(ListCommand::Group),
+        Self::List(ListCommand::Ungroup),
+        Self::List(ListCommand::MoveUp),
+        Self::List(ListCommand::MoveDown),
+        Self::List(ListCommand::PreviousVariant),
+        Self::List(ListCommand::NextVariant),
+        Self::List(ListCommand::Variant(0)),
+        Self::List(ListCommand::Variant(1)),
+        Self::List(ListCommand::Variant(2)),
+        Self::List(ListCommand::Variant(3)),
         Self::Keys,
     ];
 
@@ -77,6 +87,7 @@ impl Command {
             Self::ToggleAxes => (Modifiers::NONE, Key::X),
             Self::NextPivot => (Modifiers::NONE, Key::Period),
             Self::Keys => (Modifiers::NONE, Key::F1),
+            Self::List(command) => return command.shortcut(),
             _ => return None,
         };
         Some(KeyboardShortcut::new(modifiers, key))

@@ -59,6 +59,7 @@ impl Command {
             Self::Outline(kind) => kind.name().to_owned(),
             Self::AddPlot(kind) => upper_first(edits::kind_name(*kind)),
             Self::Method(method) => method.to_string(),
+            Self::List(command) => command.label(session),
             Self::ToggleTheme => "Switch dark/light theme".to_owned(),
             _ => self.fixed_label().to_owned(),
         }
@@ -132,7 +133,7 @@ impl Command {
             Self::Undo | Self::Redo | Self::Duplicate | Self::Delete | Self::SelectAll | Self::SelectNone => {
                 Category::Edit
             }
-            Self::AddLight(_) | Self::ReplacePattern(_) | Self::InsertPreset(_) => Category::Light,
+            Self::AddLight(_) | Self::ReplacePattern(_) | Self::InsertPreset(_) | Self::List(_) => Category::Light,
             Self::AddSurface(_) | Self::ReplaceMesh(_) | Self::AddMaterial | Self::AddPlot(_) => Category::Add,
             Self::Tool(_)
             | Self::Outline(_)

@@ -6,10 +6,12 @@
 mod keys;
 mod kinds;
 mod labels;
+mod lists;
 
 pub use keys::run_shortcuts;
 pub use kinds::{LightKind, SurfaceKind};
 pub use labels::Category;
+pub use lists::ListCommand;
 
 use std::path::PathBuf;
 
@@ -101,6 +103,8 @@ pub enum Command {
     ResetLayout,
     /// Switch between the dark and the light theme.
     ToggleTheme,
+    /// Do something to the list of lights or to variants.
+    List(ListCommand),
     /// Show the list of keys.
     Keys,
 }
@@ -120,6 +124,7 @@ impl Command {
             Self::Undo => session.history.undo_label().is_some() || session.history.in_gesture(),
             Self::Redo => session.history.redo_label().is_some(),
             Self::Duplicate | Self::Delete | Self::Focus | Self::SelectNone => session.selection.primary().is_some(),
+            Self::List(command) => command.enabled(session),
             _ => true,
         }
     }
@@ -199,6 +204,7 @@ impl Command {
                 let other = if ctx.theme() == egui::Theme::Dark { egui::Theme::Light } else { egui::Theme::Dark };
                 ctx.set_theme(other);
             }
+            Self::List(command) => command.run(session),
             Self::Keys => app.toggle_keys(),
         }
     }

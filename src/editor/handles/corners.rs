@@ -51,6 +51,10 @@ impl Session {
 
     /// Add a corner on the edge that begins at a vertex, and choose it.
     fn split(&mut self, light: usize, edge: usize, at: DVec2) {
+        let has_edge = self.selected_polygon().is_some_and(|polygon| edge < polygon.vertices.len());
+        if !has_edge || self.selection.primary() != Some(Item::Light(light)) {
+            return;
+        }
         if self.reshape(light, "Add vertex", |polygon| polygon.vertices.insert(edge + 1, at)) {
             self.chosen_corner = Some(Corner { light, vertex: edge + 1 });
         } else {
@@ -111,10 +115,12 @@ pub fn update(
     if session.corner().is_some() && !ui.ctx().egui_wants_keyboard_input() && backspace() {
         session.delete_corner();
     }
-    if response.secondary_clicked()
-        && let Some((Item::Light(light), Handle::Vertex(vertex))) = hot
-    {
-        session.chosen_corner = Some(Corner { light, vertex });
+    if response.secondary_clicked() {
+        // The menu that opens is about the corner that was clicked, or about no corner.
+        session.chosen_corner = match hot {
+            Some((Item::Light(light), Handle::Vertex(vertex))) => Some(Corner { light, vertex }),
+            _ => None,
+        };
     }
     if !response.clicked() {
         return false;
@@ -138,32 +144,6 @@ pub fn update(
             session.chosen_corner = None;
             false
         }
-    }
-}
-
-/// The menu of a corner or an edge, where the secondary button was clicked on one.
-pub fn menu(response: &Response, session: &mut Session, hot: Option<(Item, Handle)>) {
-    let id = response.id.with("corner menu");
-    if response.secondary_clicked() {
-        let asked = hot.filter(|(_, handle)| matches!(handle, Handle::Vertex(_) | Handle::Edge(_)));
-        response.ctx.data_mut(|data| data.insert_temp(id, asked));
-    }
-    let asked: Option<(Item, Handle)> = response.ctx.data(|data| data.get_temp(id)).flatten();
-    let Some((Item::Light(light), handle)) = asked else { return };
-    let shown = response.context_menu(|ui| match handle {
-        Handle::Edge(edge) => {
-            if ui.button("Add vertex").clicked() {
-                session.split_middle(light, edge);
-            }
-        }
-        _ => {
-            if ui.button("Delete vertex").clicked() {
-                session.delete_corner();
-            }
-        }
-    });
-    if shown.is_none() && !response.secondary_clicked() {
-        response.ctx.data_mut(|data| data.remove::<Option<(Item, Handle)>>(id));
     }
 }
 

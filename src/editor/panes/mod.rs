@@ -1,17 +1,23 @@
 //! The panes, and how they share the window.
 
+mod bars;
+mod gesture;
 mod inspector;
+mod links;
+mod look;
 mod menu;
 mod outliner;
 mod overlays;
 mod plots;
 mod problems;
+mod variants;
 
 pub use inspector::Inspector;
 pub use menu::{menu_bar, toolbar};
 pub use outliner::Outliner;
 pub use overlays::{Choice, Messages, ask_unsaved, keys};
 pub use plots::Plots;
+pub use variants::Variants;
 
 use egui::{Button, Color32, Response, Ui, WidgetText, vec2};
 use egui_material_icons::MaterialIcon;
@@ -34,6 +40,8 @@ pub enum Pane {
     Plots,
     /// What is wrong.
     Problems,
+    /// Named states of the lights.
+    Variants,
 }
 
 /// The panes' own state.
@@ -47,6 +55,8 @@ pub struct Views {
     pub inspector: Inspector,
     /// Curves at a probe.
     pub plots: Plots,
+    /// Named states of the lights.
+    pub variants: Variants,
 }
 
 /// What the panes are shown with, and what they ask for.
@@ -59,7 +69,7 @@ pub struct Panes<'a> {
     pub commands: Vec<Command>,
 }
 
-/// The panes as they are at first: outliner, viewport over plots, inspector.
+/// The panes as they are at first: outliner over variants, viewport over plots, inspector.
 pub fn default_layout() -> Tree<Pane> {
     let mut tiles = Tiles::default();
     let tab = |tiles: &mut Tiles<Pane>, panes: &[Pane]| {
@@ -67,11 +77,13 @@ pub fn default_layout() -> Tree<Pane> {
         tiles.insert_tab_tile(children)
     };
     let outliner = tab(&mut tiles, &[Pane::Outliner]);
+    let variants = tab(&mut tiles, &[Pane::Variants]);
     let viewport = tab(&mut tiles, &[Pane::Viewport]);
     let below = tab(&mut tiles, &[Pane::Plots, Pane::Problems]);
     let inspector = tab(&mut tiles, &[Pane::Inspector]);
     let middle = insert(&mut tiles, LinearDir::Vertical, &[(viewport, 0.6), (below, 0.4)]);
-    let root = insert(&mut tiles, LinearDir::Horizontal, &[(outliner, 0.17), (middle, 0.585), (inspector, 0.245)]);
+    let left = insert(&mut tiles, LinearDir::Vertical, &[(outliner, 0.75), (variants, 0.25)]);
+    let root = insert(&mut tiles, LinearDir::Horizontal, &[(left, 0.225), (middle, 0.535), (inspector, 0.24)]);
     Tree::new(egui::Id::unique("panes"), root, tiles)
 }
 
@@ -96,6 +108,7 @@ impl egui_tiles::Behavior<Pane> for Panes<'_> {
             Pane::Inspector => self.commands.extend(self.views.inspector.show(ui, self.session)),
             Pane::Plots => self.commands.extend(self.views.plots.show(ui, self.session)),
             Pane::Problems => problems::show(ui, self.session),
+            Pane::Variants => self.commands.extend(self.views.variants.show(ui, self.session)),
         }
         UiResponse::None
     }
@@ -107,6 +120,7 @@ impl egui_tiles::Behavior<Pane> for Panes<'_> {
             Pane::Inspector => "Inspector",
             Pane::Plots => "Plots",
             Pane::Problems => "Problems",
+            Pane::Variants => "Variants",
         }
         .into()
     }

@@ -32,9 +32,9 @@ impl Pointer {
         self.grip.is_held() || self.placing.is_held() || self.navigating
     }
 
-    /// What a click would select.
+    /// What is under the pointer: what a click would select, or that of which it is on a handle.
     pub fn hovered(&self) -> Option<Item> {
-        self.hovered
+        self.hovered.or(self.grip.hot().map(|(item, _)| item))
     }
 
     /// Whether a probe is being dragged.
@@ -79,7 +79,6 @@ impl Pointer {
                 let item = hot.map(|(item, _)| item).or(self.hovered);
                 select(session, item, ui.input(|input| input.modifiers));
             }
-            corners::menu(response, session, hot);
         }
     }
 

@@ -2,21 +2,30 @@
 
 use std::ops::RangeInclusive;
 
-use egui::{DragValue, Grid, Id, Response, RichText, Ui, vec2};
+use egui::accesskit::Role;
+use egui::{
+    DragValue, Grid, Id, Popup, PopupCloseBehavior, Response, RichText, Sense, StrokeKind, Ui, WidgetInfo, vec2,
+};
 use glam::DVec3;
 
 use super::pattern::Thumbnail;
 use crate::editor::commands::Command;
+use crate::editor::panes::bars;
+use crate::editor::panes::gesture::Gesture;
+use crate::editor::panes::look::plain_color;
 use crate::editor::session::Session;
 use crate::editor::theme;
-use crate::scene::{Scene, validate};
+use crate::scene::Scene;
+
+/// Shown in place of a value that is not the same in all things that are edited together.
+const MIXED: &str = "mixed";
 
 /// What a pane needs to show fields and to apply what is edited in them.
 pub(super) struct Fields<'a> {
     /// The document.
     pub(super) session: &'a mut Session,
-    pub(super) gesture: &'a mut Option<Id>,
-    pub(super) refused: &'a mut Option<(Id, String)>,
+    /// What the pane's widgets are in the middle of.
+    pub(super) gesture: &'a mut Gesture,
     /// The pattern shown last.
     pub(super) thumbnail: &'a mut Option<Thumbnail>,
     /// Commands asked for.
@@ -72,35 +81,14 @@ impl Fields<'_> {
         });
     }
 
-    /// Apply `change` because the widget changed; it joins the steps of the widget's gesture.
-    ///
-    /// A change that would make the document invalid is refused, and the reason shown.
+    /// Apply `change` because the widget changed; see [`Gesture::apply`].
     pub(super) fn apply(&mut self, response: &Response, label: &str, change: impl FnOnce(&mut Scene)) {
-        if !response.changed() {
-            return;
-        }
-        let mut changed = self.scene().clone();
-        change(&mut changed);
-        let before = validate(self.scene());
-        if let Some(problem) = validate(&changed).into_iter().find(|problem| !before.contains(problem)) {
-            *self.refused = Some((response.id, problem.message));
-            return;
-        }
-        *self.refused = None;
-        if *self.gesture != Some(response.id) || !self.session.history.in_gesture() {
-            self.session.begin(label);
-            *self.gesture = Some(response.id);
-        }
-        self.session.edit(label, |scene| *scene = changed);
+        self.gesture.apply(self.session, response, label, change);
     }
 
     /// Like [`Self::apply`], for a widget that is done with at once.
     pub(super) fn apply_now(&mut self, response: &Response, label: &str, change: impl FnOnce(&mut Scene)) {
-        self.apply(response, label, change);
-        if response.changed() {
-            self.session.commit();
-            *self.gesture = None;
-        }
+        self.gesture.apply_now(self.session, response, label, change);
     }
 
     /// A row with one number.
@@ -110,15 +98,44 @@ impl Fields<'_> {
         label: &str,
         style: &Number,
         value: f64,
-        set: impl FnOnce(&mut Scene, f64),
+        set: impl Fn(&mut Scene, f64),
+    ) {
+        self.numbers(ui, label, style, &[value], |scene, _, value| set(scene, value));
+    }
+
+    /// A row with a number of each of some things: `set` is given a thing's place among them and what it becomes.
+    pub(super) fn numbers(
+        &mut self,
+        ui: &mut Ui,
+        label: &str,
+        style: &Number,
+        values: &[f64],
+        set: impl Fn(&mut Scene, usize, f64),
     ) {
         let name = row_label(ui, label);
-        let mut edited = value;
-        let mut response = drag(ui, style, &mut edited, ui.available_width().min(110.0)).labelled_by(name);
+        let (response, edited) = drag_all(ui, style, values, ui.available_width().min(110.0));
+        let mut response = response.labelled_by(name);
         if !style.hint.is_empty() {
             response = response.on_hover_text(style.hint);
         }
-        self.apply(&response, &format!("Change {}", label.to_lowercase()), |scene| set(scene, edited));
+        self.apply(&response, &format!("Change {}", label.to_lowercase()), |scene| {
+            edited.into_iter().enumerate().for_each(|(i, value)| set(scene, i, value));
+        });
+        ui.end_row();
+    }
+
+    /// A row with a factor: 1 until it is dragged or typed, and 1 again once it has been applied.
+    pub(super) fn factor(&mut self, ui: &mut Ui, label: &str, hint: &str, scale: impl FnOnce(&mut Scene, f64)) {
+        let name = row_label(ui, label);
+        let key = ui.scope_id().with((label, "so far"));
+        let so_far = ui.data(|data| data.get_temp(key)).unwrap_or(1.0);
+        let mut edited: f64 = so_far;
+        let drag = DragValue::new(&mut edited).prefix("× ").speed(0.01).range(1e-3..=1e3).max_decimals(3);
+        let size = vec2(ui.available_width().min(110.0), ui.spacing().interact_size.y);
+        let response = ui.add_sized(size, drag.update_while_editing(false)).labelled_by(name).on_hover_text(hint);
+        self.apply(&response, &format!("Change {}", label.to_lowercase()), |scene| scale(scene, edited / so_far));
+        let is_held = self.gesture.is_of(response.id);
+        ui.data_mut(|data| *data.get_temp_mut_or(key, 1.0) = if is_held { edited } else { 1.0 });
         ui.end_row();
     }
 
@@ -147,22 +164,52 @@ impl Fields<'_> {
         value: DVec3,
         set: impl Fn(&mut Scene, DVec3),
     ) {
+        self.vectors(ui, label, style, &[value], |scene, _, value| set(scene, value));
+    }
+
+    /// A row with a vector of each of some things; see [`Self::numbers`].
+    pub(super) fn vectors(
+        &mut self,
+        ui: &mut Ui,
+        label: &str,
+        style: &Number,
+        values: &[DVec3],
+        set: impl Fn(&mut Scene, usize, DVec3),
+    ) {
         row_label(ui, label);
-        self.components(ui, label, ["X", "Y", "Z"], style, value, set);
+        self.components(ui, label, ["X", "Y", "Z"], style, values, set);
         ui.end_row();
     }
 
     /// A row with a colour to pick, and its three components.
     pub(super) fn color(&mut self, ui: &mut Ui, label: &str, value: DVec3, set: impl Fn(&mut Scene, DVec3)) {
+        self.colors(ui, label, &[value], |scene, _, value| set(scene, value));
+    }
+
+    /// A row with a colour of each of some things; see [`Self::numbers`].
+    pub(super) fn colors(
+        &mut self,
+        ui: &mut Ui,
+        label: &str,
+        values: &[DVec3],
+        set: impl Fn(&mut Scene, usize, DVec3),
+    ) {
+        let Some(first) = values.first() else { return };
         row_label(ui, label);
         ui.vertical(|ui| {
-            let mut picked = to_f32(value);
-            let response =
-                ui.color_edit_button_rgb(&mut picked).on_hover_text(format!("Pick {}", label.to_lowercase()));
-            let response = response.accessible_name(format!("Pick {}", label.to_lowercase()));
-            let step = format!("Change {}", label.to_lowercase());
-            self.apply(&response, &step, |scene| set(scene, DVec3::from_array(picked.map(f64::from))));
-            self.components(ui, label, ["red", "green", "blue"], &Number::SHARE, value, &set);
+            let name = format!("Pick {}", label.to_lowercase());
+            let (rect, button) = ui.allocate_exact_size(vec2(40.0, ui.spacing().interact_size.y), Sense::click());
+            let edge = ui.style().interact(&button).bg_stroke;
+            ui.painter().rect(rect, 3.0, plain_color(*first), edge, StrokeKind::Inside);
+            button.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));
+            let popup = Popup::from_toggle_button_response(&button.on_hover_text(&name));
+            popup.close_behavior(PopupCloseBehavior::CloseOnClickOutside).show(|ui| {
+                let mut color = *first;
+                let response = bars::color(ui, &mut color, true);
+                let step = format!("Change {}", label.to_lowercase());
+                self.apply(&response, &step, |scene| (0..values.len()).for_each(|i| set(scene, i, color)));
+            });
+            self.components(ui, label, ["red", "green", "blue"], &Number::SHARE, values, &set);
         });
         ui.end_row();
     }
@@ -189,31 +236,58 @@ impl Fields<'_> {
         hint: &str,
         set: impl FnOnce(&mut Scene, T),
     ) {
+        self.choice_of_all(ui, label, std::slice::from_ref(current), choices, hint, set);
+    }
+
+    /// A row with a choice for some things together.
+    pub(super) fn choice_of_all<T: PartialEq + Clone>(
+        &mut self,
+        ui: &mut Ui,
+        label: &str,
+        current: &[T],
+        choices: &[(T, String)],
+        hint: &str,
+        set: impl FnOnce(&mut Scene, T),
+    ) {
         let name = row_label(ui, label);
-        let shown = choices.iter().find(|(choice, _)| choice == current).map_or("", |(_, name)| name.as_str());
-        let mut picked = current.clone();
+        let current = common(current);
+        let known = current.and_then(|current| choices.iter().find(|(choice, _)| choice == current));
+        let shown = match current {
+            None => MIXED,
+            Some(_) => known.map_or("", |(_, name)| name.as_str()),
+        };
+        let mut picked = None;
         let combo = egui::ComboBox::from_id_salt(label).selected_text(shown).width(110.0);
         let mut response = combo.show_ui(ui, |ui| {
             for (choice, name) in choices {
-                ui.selectable_value(&mut picked, choice.clone(), name);
+                if ui.selectable_label(current == Some(choice), name).clicked() {
+                    picked = Some(choice.clone());
+                }
             }
         });
         response.response = response.response.labelled_by(name);
         if !hint.is_empty() {
             response.response = response.response.on_hover_text(hint);
         }
-        if picked != *current {
+        if let Some(picked) = picked.filter(|picked| Some(picked) != current) {
             response.response.mark_changed();
+            self.apply_now(&response.response, &format!("Change {}", label.to_lowercase()), |scene| set(scene, picked));
         }
-        self.apply_now(&response.response, &format!("Change {}", label.to_lowercase()), |scene| set(scene, picked));
         ui.end_row();
     }
 
     /// A row with a box to tick.
     pub(super) fn toggle(&mut self, ui: &mut Ui, label: &str, value: bool, set: impl FnOnce(&mut Scene, bool)) {
+        self.toggle_all(ui, label, &[value], set);
+    }
+
+    /// A row with a box to tick for some things together.
+    pub(super) fn toggle_all(&mut self, ui: &mut Ui, label: &str, values: &[bool], set: impl FnOnce(&mut Scene, bool)) {
         let name = row_label(ui, label);
-        let mut ticked = value;
-        let response = ui.checkbox(&mut ticked, "").labelled_by(name);
+        let common = common(values);
+        let mut ticked = common.copied().unwrap_or_default();
+        let tick_box = egui::Checkbox::without_text(&mut ticked).indeterminate(common.is_none());
+        let response = ui.add(tick_box).labelled_by(name);
         self.apply_now(&response, &format!("Change {}", label.to_lowercase()), |scene| set(scene, ticked));
         ui.end_row();
     }
@@ -232,23 +306,35 @@ impl Fields<'_> {
         label: &str,
         names: [&str; 3],
         style: &Number,
-        value: DVec3,
-        set: impl Fn(&mut Scene, DVec3),
+        values: &[DVec3],
+        set: impl Fn(&mut Scene, usize, DVec3),
     ) {
         ui.horizontal(|ui| {
             ui.spacing_mut().item_spacing.x = 3.0;
             // The unit stands in the tooltip: three numbers and their units do not fit.
             let bare = Number { unit: "", ..style.clone() };
             let width = (0.333 * (ui.available_width() - 6.0)).clamp(44.0, 72.0);
-            for (i, name) in names.into_iter().enumerate() {
-                let mut edited = value;
+            for (axis, name) in names.into_iter().enumerate() {
                 let name = format!("{label} {name}");
-                let response = drag(ui, &bare, &mut edited[i], width).accessible_name(&name);
+                let along: Vec<_> = values.iter().map(|value| value[axis]).collect();
+                let (response, edited) = drag_all(ui, &bare, &along, width);
+                let response = response.accessible_name(&name);
                 let response = response.on_hover_text(format!("{name}{}", unit_in_brackets(style.unit)));
-                self.apply(&response, &format!("Change {}", label.to_lowercase()), |scene| set(scene, edited));
+                self.apply(&response, &format!("Change {}", label.to_lowercase()), |scene| {
+                    for (i, (mut value, edited)) in values.iter().copied().zip(edited).enumerate() {
+                        value[axis] = edited;
+                        set(scene, i, value);
+                    }
+                });
             }
         });
     }
+}
+
+/// The value that all have.
+fn common<T: PartialEq>(values: &[T]) -> Option<&T> {
+    let (first, others) = values.split_first()?;
+    others.iter().all(|other| other == first).then_some(first)
 }
 
 /// The label at the start of a row, by which the row's widget is found.
@@ -268,11 +354,39 @@ pub(super) fn drag(ui: &mut Ui, style: &Number, value: &mut f64, width: f32) -> 
     ui.add_sized(vec2(width, height), drag)
 }
 
-fn unit_in_brackets(unit: &str) -> String {
-    if unit.is_empty() { String::new() } else { format!(" ({})", unit.trim()) }
+/// A number of each of some things, to drag or type: the one that all have, or "mixed". What each becomes: what was
+/// typed; where the first was dragged, the others by as much, or, where all are positive, in proportion.
+pub(super) fn drag_all(ui: &mut Ui, style: &Number, values: &[f64], width: f32) -> (Response, Vec<f64>) {
+    let first = values.first().copied().unwrap_or_default();
+    let mixed = common(values).is_none();
+    let (mut edited, mut is_set) = (first, false);
+    let height = ui.spacing().interact_size.y;
+    let mut drag = DragValue::from_get_set(|new| {
+        is_set |= new.is_some();
+        edited = new.unwrap_or(edited);
+        edited
+    })
+    .speed(style.speed)
+    .range(style.range.clone())
+    .clamp_existing_to_range(false)
+    .max_decimals(6);
+    drag = if mixed { drag.custom_formatter(|_, _| MIXED.to_owned()) } else { drag.suffix(style.unit) };
+    let mut response = ui.add_sized(vec2(width, height), drag);
+    if mixed && is_set {
+        // The first may have had what was typed for all.
+        response.mark_changed();
+    }
+    let scales = *style.range.start() >= 0.0 && values.iter().all(|value| *value > 0.0);
+    let moved = |value: &f64| match response.dragged() {
+        true if scales => (value * (edited / first)).clamp(*style.range.start(), *style.range.end()),
+        true => value + (edited - first),
+        false => edited,
+    };
+    let others = values.iter().skip(1).map(moved);
+    let all = std::iter::once(edited).chain(others).collect();
+    (response, all)
 }
 
-#[expect(clippy::cast_possible_truncation, reason = "for a colour picker")]
-fn to_f32(color: DVec3) -> [f32; 3] {
-    color.to_array().map(|component| component as f32)
+fn unit_in_brackets(unit: &str) -> String {
+    if unit.is_empty() { String::new() } else { format!(" ({})", unit.trim()) }
 }

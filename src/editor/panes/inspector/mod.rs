@@ -1,27 +1,30 @@
 //! The numbers of what is selected; of the scene as a whole when nothing is.
 
+mod emission;
 mod fields;
 mod light;
+mod lights;
 mod material;
 mod pattern;
 mod plot;
 mod scene;
 mod surface;
+mod vertices;
 
-use egui::{Id, RichText, Ui};
+use egui::Ui;
 
 use self::fields::Fields;
+use self::lights::Lights;
 use self::pattern::Thumbnail;
+use super::gesture::Gesture;
 use crate::editor::commands::Command;
 use crate::editor::session::{Item, Session};
 
 /// The pane's own state.
 #[derive(Default)]
 pub struct Inspector {
-    /// The widget whose gesture is open in the history.
-    gesture: Option<Id>,
-    /// Why the last change was refused, and by which widget it was asked for.
-    refused: Option<(Id, String)>,
+    /// What the pane's widgets are in the middle of.
+    gesture: Gesture,
     /// A name that is being typed.
     name: Option<(Item, String)>,
     /// The pattern shown last.
@@ -38,7 +41,7 @@ impl Inspector {
                 self.contents(ui, session, &mut commands);
             });
         });
-        self.settle(ui, session);
+        self.gesture.settle(ui, session);
         commands
     }
 
@@ -49,15 +52,12 @@ impl Inspector {
         }
         let others = session.selection.items().len().saturating_sub(1);
         if others > 0 {
-            ui.weak(format!("and {others} more selected"));
+            let lights = session.selected_lights().len();
+            let together = matches!(item, Some(Item::Light(_))) && lights > 1;
+            let what = if together { format!("edits {lights} lights together") } else { format!("and {others} more") };
+            ui.weak(what).on_hover_text("Typed values go to all of them; dragged ones change each by as much");
         }
-        let mut fields = Fields {
-            session,
-            gesture: &mut self.gesture,
-            refused: &mut self.refused,
-            thumbnail: &mut self.thumbnail,
-            commands,
-        };
+        let mut fields = Fields { session, gesture: &mut self.gesture, thumbnail: &mut self.thumbnail, commands };
         match item {
             Some(Item::Light(index)) => light::show(ui, &mut fields, index),
             Some(Item::Surface(index)) => surface::show(ui, &mut fields, index),
@@ -65,10 +65,7 @@ impl Inspector {
             Some(Item::Plot(index)) => plot::show(ui, &mut fields, index),
             None => scene::show(ui, &mut fields),
         }
-        if let Some((_, why)) = &self.refused {
-            ui.add_space(6.0);
-            ui.label(RichText::new(format!("Not possible: {why}")).color(ui.visuals().error_fg_color));
-        }
+        self.gesture.show_refusal(ui);
     }
 
     /// What is selected, and its name to be edited.
@@ -97,16 +94,12 @@ impl Inspector {
             ui.weak(kind.unwrap_or_default());
         });
     }
+}
 
-    /// End the open gesture once its widget is let go.
-    fn settle(&mut self, ui: &Ui, session: &mut Session) {
-        let held = |id: Id| ui.input(|input| input.pointer.any_down()) || ui.memory(|memory| memory.has_focus(id));
-        if self.gesture.is_some_and(|id| !held(id)) {
-            session.commit();
-            self.gesture = None;
-        }
-        if self.refused.as_ref().is_some_and(|(id, _)| !held(*id)) {
-            self.refused = None;
-        }
-    }
+/// The colour of the lights at these places, to be edited in a popup.
+pub(super) fn tint_popup(ui: &mut Ui, session: &mut Session, gesture: &mut Gesture, places: &[usize]) {
+    let Some(lights) = Lights::at(session.scene(), places.to_vec()) else { return };
+    let (mut thumbnail, mut commands) = (None, Vec::new());
+    let mut fields = Fields { session, gesture, thumbnail: &mut thumbnail, commands: &mut commands };
+    egui::Grid::new("tint").num_columns(2).show(ui, |ui| emission::tint(ui, &mut fields, &lights, true));
 }
