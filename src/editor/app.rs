@@ -3,12 +3,12 @@
 use std::path::Path;
 
 use egui::{CentralPanel, Frame, Margin, Panel, Ui, ViewportCommand};
-use egui_tiles::Tree;
+use egui_tiles::{Tile, Tree};
 
 use super::commands::{self, Command};
 use super::dialogs::Dialogs;
 use super::files::{Files, Then};
-use super::panes::{self, Choice, Messages, Pane, Panes, Views};
+use super::panes::{self, Choice, Messages, Pane, Panes, Views, Work};
 use super::session::Session;
 use super::theme;
 use super::viewport::Viewport;
@@ -60,6 +60,16 @@ impl App {
     /// Put all panes where they were at first.
     pub fn reset_layout(&mut self) {
         self.layout = panes::default_layout();
+    }
+
+    /// Bring a pane to the front of its tabs.
+    pub fn show_pane(&mut self, pane: Pane) {
+        self.layout.make_active(|_, tile| matches!(tile, Tile::Pane(other) if *other == pane));
+    }
+
+    /// The curves that have been asked for, and those that have been shown.
+    pub fn plot_work(&self) -> Work {
+        self.views.plots.work()
     }
 
     /// Whether work is under way, off this thread, that will change what is shown.
@@ -128,6 +138,7 @@ impl App {
         CentralPanel::default()
             .frame(gaps)
             .show(ui, |ui| {
+                self.views.problems.update(&self.session);
                 let mut panes = Panes { session: &mut self.session, views: &mut self.views, commands: Vec::new() };
                 self.layout.ui(&mut panes, ui);
                 panes.commands

@@ -11,6 +11,7 @@ pub mod handles;
 pub mod jobs;
 pub mod light_list;
 pub mod panes;
+pub mod plotting;
 pub mod presets;
 pub mod session;
 pub mod theme;

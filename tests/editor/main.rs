@@ -5,6 +5,8 @@ mod draw;
 mod files;
 mod list;
 mod panes;
+mod plots;
+mod problems;
 mod shapes;
 mod start;
 mod viewport;

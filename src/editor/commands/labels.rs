@@ -60,6 +60,7 @@ impl Command {
             Self::AddPlot(kind) => upper_first(edits::kind_name(*kind)),
             Self::Method(method) => method.to_string(),
             Self::List(command) => command.label(session),
+            Self::ShowPane(pane) => format!("Show {}", pane.title().to_lowercase()),
             Self::ToggleTheme => "Switch dark/light theme".to_owned(),
             _ => self.fixed_label().to_owned(),
         }
@@ -103,6 +104,7 @@ impl Command {
             Self::NextPivot => "Next pivot",
             Self::ResetLayout => "Reset layout",
             Self::Keys => "Keys",
+            Self::ExportPlot(..) => "Export plot",
             _ => "",
         }
     }
@@ -129,6 +131,7 @@ impl Command {
             | Self::OpenExample(_)
             | Self::Save
             | Self::SaveAs
+            | Self::ExportPlot(..)
             | Self::Quit => Category::File,
             Self::Undo | Self::Redo | Self::Duplicate | Self::Delete | Self::SelectAll | Self::SelectNone => {
                 Category::Edit
@@ -150,7 +153,7 @@ impl Command {
             | Self::ToggleEmitters
             | Self::ToggleShadows
             | Self::ToggleGrid => Category::View,
-            Self::ResetLayout | Self::ToggleTheme | Self::Keys => Category::Window,
+            Self::ShowPane(_) | Self::ResetLayout | Self::ToggleTheme | Self::Keys => Category::Window,
         }
     }
 }

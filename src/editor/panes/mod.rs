@@ -16,7 +16,8 @@ pub use inspector::Inspector;
 pub use menu::{menu_bar, toolbar};
 pub use outliner::Outliner;
 pub use overlays::{Choice, Messages, ask_unsaved, keys};
-pub use plots::Plots;
+pub use plots::{Plots, Work};
+pub use problems::Problems;
 pub use variants::Variants;
 
 use egui::{Button, Color32, Response, Ui, WidgetText, vec2};
@@ -44,6 +45,20 @@ pub enum Pane {
     Variants,
 }
 
+impl Pane {
+    /// What its tab says.
+    pub fn title(self) -> &'static str {
+        match self {
+            Self::Viewport => "View",
+            Self::Outliner => "Outliner",
+            Self::Inspector => "Inspector",
+            Self::Plots => "Plots",
+            Self::Problems => "Problems",
+            Self::Variants => "Variants",
+        }
+    }
+}
+
 /// The panes' own state.
 #[derive(Default)]
 pub struct Views {
@@ -55,6 +70,8 @@ pub struct Views {
     pub inspector: Inspector,
     /// Curves at a probe.
     pub plots: Plots,
+    /// What is wrong.
+    pub problems: Problems,
     /// Named states of the lights.
     pub variants: Variants,
 }
@@ -107,22 +124,17 @@ impl egui_tiles::Behavior<Pane> for Panes<'_> {
             Pane::Outliner => self.commands.extend(self.views.outliner.show(ui, self.session)),
             Pane::Inspector => self.commands.extend(self.views.inspector.show(ui, self.session)),
             Pane::Plots => self.commands.extend(self.views.plots.show(ui, self.session)),
-            Pane::Problems => problems::show(ui, self.session),
+            Pane::Problems => self.commands.extend(self.views.problems.show(ui, self.session)),
             Pane::Variants => self.commands.extend(self.views.variants.show(ui, self.session)),
         }
         UiResponse::None
     }
 
     fn tab_title_for_pane(&mut self, pane: &Pane) -> WidgetText {
-        match pane {
-            Pane::Viewport => "View",
-            Pane::Outliner => "Outliner",
-            Pane::Inspector => "Inspector",
-            Pane::Plots => "Plots",
-            Pane::Problems => "Problems",
-            Pane::Variants => "Variants",
+        match (pane, self.views.problems.count()) {
+            (Pane::Problems, count @ 1..) => format!("{} ({count})", pane.title()).into(),
+            _ => pane.title().into(),
         }
-        .into()
     }
 
     fn simplification_options(&self) -> SimplificationOptions {
