@@ -11,10 +11,9 @@ use crate::light::{Emitter, Shape, luminance_of};
 use crate::math::quadrature::Estimate;
 use crate::render::lobe_of;
 use crate::scene::{Plot, PlotKind, PlotQuantity, Scene};
-use crate::shading::reference::reference;
-use crate::shading::{Lobe, Method, Prepared, Response, ShadingPoint};
+use crate::shading::{BoundedResponse, Lobe, Method, Prepared, ShadingPoint};
 
-/// Points that are shaded between two looks at the clock and at the wish to cancel.
+/// Points that are shaded between two looks at the clock.
 const BATCH: usize = 8;
 
 /// The curves of one plot.
@@ -28,6 +27,8 @@ pub struct Curves {
     pub y_label: String,
     /// Whether the abscissa is logarithmic.
     pub logarithmic_x: bool,
+    /// What all values are divided by: 1 unless the plot is normalised.
+    pub unit: f64,
     /// The exact values.
     pub exact: Vec<f64>,
     /// One a method asked for, in that order.
@@ -95,27 +96,63 @@ pub fn probe(plot: &Plot, x: f64) -> ShadingPoint {
 
 /// The curves of a plot at `samples` abscissae, at least 2; none when cancelled.
 pub fn curves(scene: &Scene, plot: &Plot, methods: &[Method], samples: usize, cancel: &AtomicBool) -> Option<Curves> {
-    let logarithmic_x = plot.kind == PlotKind::Distance && plot.range.iter().all(|x| *x > 0.0);
-    let x = abscissae(plot.range, samples.max(2), logarithmic_x);
-    let points: Vec<_> = x.iter().map(|&x| probe(plot, x)).collect();
-    let subject = Subject::new(scene, plot);
-    let exact = subject.sweep(Method::Exact, &points, cancel)?;
-    let unit = if plot.normalise { greatest(&exact.y) } else { 1.0 };
-    let series: Option<Vec<_>> = methods
-        .iter()
-        .map(|&method| {
-            let sweep = if method == Method::Exact { exact.clone() } else { subject.sweep(method, &points, cancel)? };
-            Some(sweep.compare(method, &exact.y, unit))
+    let sampling = Sampling::new(scene, plot, samples);
+    let mut curves = sampling.exact(cancel)?;
+    let exact = std::mem::take(&mut curves.series);
+    for &method in methods {
+        match method {
+            Method::Exact => curves.series.extend(exact.iter().cloned()),
+            _ => curves.series.push(sampling.series(method, &curves, cancel)?),
+        }
+    }
+    Some(curves)
+}
+
+/// A plot whose curves are computed one by one.
+#[derive(Debug)]
+pub struct Sampling {
+    x: Vec<f64>,
+    logarithmic_x: bool,
+    points: Vec<ShadingPoint>,
+    subject: Subject,
+    plot: Plot,
+}
+
+impl Sampling {
+    /// The plot at `samples` abscissae, at least 2.
+    pub fn new(scene: &Scene, plot: &Plot, samples: usize) -> Self {
+        let logarithmic_x = plot.kind == PlotKind::Distance && plot.range.iter().all(|x| *x > 0.0);
+        let x = abscissae(plot.range, samples.max(2), logarithmic_x);
+        let points = x.iter().map(|&x| probe(plot, x)).collect();
+        Self { x, logarithmic_x, points, subject: Subject::new(scene, plot), plot: plot.clone() }
+    }
+
+    /// The same for a first look: see [`Prepared::for_pictures`].
+    pub fn coarse(mut self) -> Self {
+        self.subject.for_pictures = true;
+        self
+    }
+
+    /// The exact curve, the only series for now; none when cancelled.
+    pub fn exact(&self, cancel: &AtomicBool) -> Option<Curves> {
+        let sweep = self.subject.sweep(Method::Exact, &self.points, cancel)?;
+        let unit = if self.plot.normalise { greatest(&sweep.y) } else { 1.0 };
+        let exact: Vec<f64> = sweep.y.iter().map(|y| y / unit).collect();
+        Some(Curves {
+            x: self.x.clone(),
+            x_label: x_label(self.plot.kind).to_owned(),
+            y_label: y_label(&self.plot).to_owned(),
+            logarithmic_x: self.logarithmic_x,
+            unit,
+            series: vec![sweep.compare(Method::Exact, &exact, unit)],
+            exact,
         })
-        .collect();
-    Some(Curves {
-        x,
-        x_label: x_label(plot.kind).to_owned(),
-        y_label: y_label(plot).to_owned(),
-        logarithmic_x,
-        exact: exact.y.iter().map(|y| y / unit).collect(),
-        series: series?,
-    })
+    }
+
+    /// The curve of a method beside the exact one of [`Self::exact`]; none when cancelled.
+    pub fn series(&self, method: Method, beside: &Curves, cancel: &AtomicBool) -> Option<Series> {
+        Some(self.subject.sweep(method, &self.points, cancel)?.compare(method, &beside.exact, beside.unit))
+    }
 }
 
 /// Equal steps, or equal ratios, from the first to the last of a range.
@@ -156,15 +193,16 @@ fn y_label(plot: &Plot) -> &'static str {
 }
 
 /// What is measured: the lights, and how a response becomes the quantity.
+#[derive(Debug)]
 struct Subject {
     lights: Vec<(Emitter, Shape, f64)>,
     lobe: Lobe,
     per_irradiance: f64,
     per_specular: f64,
+    for_pictures: bool,
 }
 
 /// One method's values, before they are compared.
-#[derive(Clone)]
 struct Sweep {
     y: Vec<f64>,
     bound: Vec<f64>,
@@ -193,37 +231,34 @@ impl Subject {
             lobe: material.map_or_else(|| Lobe::new(1.0), lobe_of),
             per_irradiance,
             per_specular,
+            for_pictures: false,
         }
     }
 
-    /// The quantity at one point, with the reference's own bound; other methods state none.
-    fn value(&self, lights: &[(Prepared, f64)], at: &ShadingPoint) -> Estimate {
-        let quantity = |(light, strength): &(Prepared, f64)| {
-            let parts = if light.method() == Method::Reference {
-                let bounded = reference(light.emitter(), at, &self.lobe);
-                [bounded.irradiance, bounded.specular]
-            } else {
-                let Response { irradiance, specular } = light.respond(at, &self.lobe);
-                [irradiance, specular].map(|value| Estimate { value, error: 0.0 })
-            };
-            (parts[0] * self.per_irradiance + parts[1] * self.per_specular) * *strength
-        };
-        lights.iter().map(quantity).fold(Estimate::default(), |sum, part| sum + part)
+    /// The quantity at one point, with the reference's own bound; other methods state none. None when cancelled.
+    fn value(&self, lights: &[(Prepared, f64)], at: &ShadingPoint, cancel: &AtomicBool) -> Option<Estimate> {
+        let mut sum = Estimate::default();
+        for (light, strength) in lights {
+            let BoundedResponse { irradiance, specular } = light.respond_unless(at, &self.lobe, cancel)?;
+            sum = sum + (irradiance * self.per_irradiance + specular * self.per_specular) * *strength;
+        }
+        Some(sum)
     }
 
     /// One method at every point; none when cancelled.
     fn sweep(&self, method: Method, points: &[ShadingPoint], cancel: &AtomicBool) -> Option<Sweep> {
         let prepare = |(emitter, shape, strength): &(Emitter, Shape, f64)| {
-            (Prepared::new(emitter, method.for_shape(shape)), *strength)
+            let light = Prepared::new(emitter, method.for_shape(shape));
+            (if self.for_pictures { light.for_pictures() } else { light }, *strength)
         };
+        if cancel.load(Ordering::Relaxed) {
+            return None;
+        }
         let lights: Vec<_> = self.lights.iter().map(prepare).collect();
         let batch = |batch: &[ShadingPoint]| {
-            if cancel.load(Ordering::Relaxed) {
-                return None;
-            }
             let start = Instant::now();
-            let values: Vec<Estimate> = batch.iter().map(|at| self.value(&lights, at)).collect();
-            Some((values, 1e9 * start.elapsed().as_secs_f64() / batch.len() as f64))
+            let values: Option<Vec<Estimate>> = batch.iter().map(|at| self.value(&lights, at, cancel)).collect();
+            Some((values?, 1e9 * start.elapsed().as_secs_f64() / batch.len() as f64))
         };
         let batches: Option<Vec<_>> = points.par_chunks(BATCH).map(batch).collect();
         let (values, costs): (Vec<_>, Vec<_>) = batches?.into_iter().unzip();
@@ -233,10 +268,10 @@ impl Subject {
 }
 
 impl Sweep {
-    /// The curve in multiples of `unit`, and its errors against `exact`.
+    /// The curve in multiples of `unit`, and its errors against `exact`, which is in these already.
     fn compare(self, method: Method, exact: &[f64], unit: f64) -> Series {
         let y: Vec<f64> = self.y.iter().map(|y| y / unit).collect();
-        let error: Vec<f64> = self.y.iter().zip(exact).map(|(y, exact)| (y - exact) / unit).collect();
+        let error: Vec<f64> = y.iter().zip(exact).map(|(y, exact)| y - exact).collect();
         let squares: f64 = error.iter().map(|error| error * error).sum();
         Series {
             method,

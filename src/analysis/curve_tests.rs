@@ -1,5 +1,8 @@
+use std::sync::Arc;
+
 use super::*;
-use crate::light::{Directional, Light, Line, Point, Polygon, Quantity, QuantityKind, Tint};
+use crate::light::pattern::{Channel, Image, Pattern};
+use crate::light::{Directional, Light, Line, Point, Polygon, Quantity, QuantityKind, Textured, Tint};
 use crate::surface::{Material, ReflectionModel};
 
 fn light(shape: Shape, kind: QuantityKind, value: f64) -> Light {
@@ -154,4 +157,25 @@ fn the_reference_has_a_band_and_the_exact_curve_lies_within_it() {
         assert!(reference.error[i].abs() <= slack, "at {}: {} > {slack}", curves.x[i], reference.error[i]);
     }
     assert!(curves.series.iter().all(|series| (series.method == Method::Reference) == series.band.is_some()), "bands");
+}
+
+/// The reference looks at each of 2048 × 2048 texels: not cancelled while at work, this would take minutes.
+#[test]
+fn a_slow_point_is_given_up_in_the_middle() {
+    let channel = Channel::of_shares(2048, 2048, |u, v| u + v).unwrap();
+    let pattern = Pattern::of_image("large.png", Image::Grey(Arc::new(channel)));
+    let textured = Textured { size: [1.0, 1.0].into(), pattern, two_sided: false };
+    let large = light(Shape::Textured(textured), QuantityKind::Luminance, 100.0);
+    let scene = scene(vec![large]);
+    let plot = plot(PlotKind::Tilt, PlotQuantity::Irradiance, [-90.0, 90.0]);
+    let cancel = AtomicBool::new(false);
+    let sampling = Sampling::new(&scene, &plot, 241).coarse();
+    let exact = sampling.exact(&cancel).unwrap();
+    std::thread::scope(|threads| {
+        let slow = threads.spawn(|| sampling.series(Method::Reference, &exact, &cancel));
+        std::thread::sleep(std::time::Duration::from_millis(20));
+        assert!(!slow.is_finished(), "it is not slow");
+        cancel.store(true, Ordering::Relaxed);
+        assert_eq!(slow.join().unwrap(), None, "cancelled");
+    });
 }

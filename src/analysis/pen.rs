@@ -1,8 +1,8 @@
-//! How the curve of a method is drawn, the same on screen and on paper.
+//! How curves are drawn, the same on screen and on paper: the only table of their colours.
 
 use crate::shading::Method;
 
-/// Colour and dashes of a method's curve.
+/// Colour and dashes of a curve.
 ///
 /// Hues are Okabe and Ito's ("Color Universal Design", 2008), which colour-blind readers tell apart, and where these are
 /// too few P. Tol's muted ones; variants of a method have neighbouring hues. Dashes tell all of them apart without colours.
@@ -33,6 +33,30 @@ impl Pen {
             Method::Point => Self::new(0xd5_5e_00, 0xff_7d_45, &[9.0, 2.5, 2.0, 2.5]),
             Method::Reference => Self::new(0x6b_74_80, 0x93_9b_a6, &[1.2, 2.8]),
         }
+    }
+
+    /// The pen of the pinned curve of that index: dashes of one length, in hues that no method has.
+    pub const fn pinned(index: usize) -> Self {
+        const DASHES: &[f32] = &[3.0, 3.0];
+        match index % 4 {
+            0 => Self::new(0x7a_7a_1a, 0xd9_d9_5c, DASHES),
+            1 => Self::new(0x2a_8c_82, 0x6f_e0_d2, DASHES),
+            2 => Self::new(0x7d_4f_2a, 0xd8_b0_8c, DASHES),
+            _ => Self::new(0xb8_3b_5e, 0xff_9a_a8, DASHES),
+        }
+    }
+
+    /// The pen of the line of that index in a chart of lines that are no methods; dashed as papers set one apart.
+    pub const fn numbered(index: usize, dashed: bool) -> Self {
+        let of = match index % 6 {
+            0 => Method::CHEBYSHEV,
+            1 => Method::Point,
+            2 => Method::NearestPoint,
+            3 => Method::Hermite2,
+            4 => Method::PointCluster(1),
+            _ => Method::Hermite1,
+        };
+        Self { dashes: if dashed { &[7.0, 4.0] } else { &[] }, ..Self::of(of) }
     }
 
     const fn new(on_light: u32, on_dark: u32, dashes: &'static [f32]) -> Self {
@@ -90,11 +114,28 @@ mod tests {
     }
 
     #[test]
+    fn pinned_curves_are_told_from_methods_by_colour_and_by_dashes() {
+        let pens: Vec<Pen> = methods().into_iter().map(Pen::of).chain((0..4).map(Pen::pinned)).collect();
+        let count = methods().len();
+        for i in count..pens.len() {
+            for (j, other) in pens[..i].iter().enumerate() {
+                assert!(
+                    pens[i].on_light != other.on_light && pens[i].on_dark != other.on_dark,
+                    "colours of {i} and {j}"
+                );
+                assert!(j >= count || pens[i].dashes != other.dashes, "dashes of {i} and {j}");
+            }
+        }
+        assert_eq!(Pen::pinned(4), Pen::pinned(0), "then they start again");
+    }
+
+    #[test]
     fn every_curve_stands_out_from_its_ground() {
-        for method in methods() {
-            let pen = Pen::of(method);
+        let pinned = (0..4).map(|index| (format!("pin {index}"), Pen::pinned(index)));
+        let methods = methods().into_iter().map(|method| (method.to_string(), Pen::of(method)));
+        for (name, pen) in methods.chain(pinned) {
             let [light, dark] = [contrast(pen.on_light, [255; 3]), contrast(pen.on_dark, [0x14, 0x16, 0x19])];
-            assert!(light >= 1.9 && dark >= 6.0, "{method} has contrast {light} on white and {dark} on black");
+            assert!(light >= 1.9 && dark >= 6.0, "{name} has contrast {light} on white and {dark} on black");
         }
     }
 }

@@ -7,15 +7,12 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use anyhow::bail;
 
 use super::{Outcome, files};
-use crate::analysis::{self, Curves};
-use crate::export;
+use crate::analysis::{self, Sheet};
+use crate::export::plot::PlotFormat;
 use crate::scene::{Plot, Scene};
 
 /// Points of a curve: half a degree apart over ±90°.
 const SAMPLES: usize = 361;
-
-/// Pixels of a PNG a unit of its SVG, which is 1000 wide.
-const PNG_SCALE: f32 = 2.0;
 
 /// Draw the plots of a scene, a curve a method, with errors and costs, or write them as CSV.
 #[derive(Debug, clap::Args)]
@@ -30,17 +27,9 @@ pub(super) struct Args {
     output: PathBuf,
 }
 
-/// What plots are written as.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Format {
-    Svg,
-    Png,
-    Csv,
-}
-
 /// Compute the curves and write them whole, or not at all.
 pub(super) fn run(args: &Args) -> anyhow::Result<Outcome> {
-    let formats = [("svg", Format::Svg), ("png", Format::Png), ("csv", Format::Csv)];
+    let formats = PlotFormat::ALL.map(|format| (format.extension(), format));
     let format = files::format(&args.output, &formats)?;
     let scene = files::load(&args.scene)?;
     let wanted = plots(&scene, args)?;
@@ -48,15 +37,10 @@ pub(super) fn run(args: &Args) -> anyhow::Result<Outcome> {
     let cancel = Arc::new(AtomicBool::new(false));
     let on_interrupt = Arc::clone(&cancel);
     ctrlc::set_handler(move || on_interrupt.store(true, Ordering::Relaxed))?;
-    let Some(plots) = curves(&scene, &wanted, &cancel) else {
+    let Some(plots) = sheets(&scene, &wanted, &cancel) else {
         return Ok(Outcome::Interrupted);
     };
-    let bytes = match format {
-        Format::Svg => export::svg::plots(&plots).into_bytes(),
-        Format::Png => export::png::from_svg(&export::svg::plots(&plots), PNG_SCALE)?,
-        Format::Csv => export::csv::plots(&plots)?,
-    };
-    files::write(&args.output, &bytes)?;
+    files::write(&args.output, &format.write(&plots)?)?;
     Ok(Outcome::Done)
 }
 
@@ -77,7 +61,8 @@ fn plots<'a>(scene: &'a Scene, args: &Args) -> anyhow::Result<Vec<&'a Plot>> {
 }
 
 /// Every plot by every method that one of the lights has; none when cancelled.
-fn curves<'a>(scene: &Scene, plots: &[&'a Plot], cancel: &AtomicBool) -> Option<Vec<(&'a Plot, Curves)>> {
+fn sheets(scene: &Scene, plots: &[&Plot], cancel: &AtomicBool) -> Option<Vec<Sheet>> {
     let methods = analysis::methods_for(scene);
-    plots.iter().map(|plot| Some((*plot, analysis::curves(scene, plot, &methods, SAMPLES, cancel)?))).collect()
+    let sheet = |plot: &Plot| Some(Sheet::new(plot, analysis::curves(scene, plot, &methods, SAMPLES, cancel)?));
+    plots.iter().map(|plot| sheet(plot)).collect()
 }

@@ -11,7 +11,7 @@ use super::drops;
 use super::files::{Files, Then};
 use super::folders::Folders;
 use super::library::thumbnails::Thumbnails;
-use super::panes::{self, Choice, Keys, Library, Messages, Outcome, Palette, Pane, Panes, Recover, Views};
+use super::panes::{self, Choice, Keys, Library, Messages, Outcome, Palette, Pane, Panes, Recover, Views, Work};
 use super::recovery::{Offer, Recovery};
 use super::session::Session;
 use super::theme;
@@ -95,6 +95,11 @@ impl App {
         self.layout.make_active(|_, tile| matches!(tile, Tile::Pane(other) if *other == pane));
     }
 
+    /// The curves that have been asked for, and those that have been shown.
+    pub fn plot_work(&self) -> Work {
+        self.views.plots.work()
+    }
+
     /// Whether work is under way, off this thread, that will change what is shown.
     pub fn is_busy(&self) -> bool {
         self.files.is_waiting()
@@ -176,6 +181,7 @@ impl App {
         CentralPanel::default()
             .frame(gaps)
             .show(ui, |ui| {
+                self.views.problems.update(&self.session);
                 let mut panes = Panes { session: &mut self.session, views: &mut self.views, commands: Vec::new() };
                 self.layout.ui(&mut panes, ui);
                 panes.commands

@@ -36,6 +36,9 @@ pub trait Dialogs {
 
     /// Which OBJ file to use as a mesh.
     fn open_mesh(&mut self, ctx: &egui::Context, folder: Option<&Path>) -> Answer;
+
+    /// Where to write what would be called `name`, which ends in the extension of its kind.
+    fn export(&mut self, ctx: &egui::Context, folder: Option<&Path>, name: &str) -> Answer;
 }
 
 /// The desktop's own dialogs.
@@ -117,6 +120,12 @@ impl Dialogs for Native {
         let meshes = rfd::AsyncFileDialog::new().add_filter("Wavefront OBJ", &["obj"]);
         Self::wait(ctx, Self::start(meshes, folder).set_title("Choose a mesh").pick_file())
     }
+
+    fn export(&mut self, ctx: &egui::Context, folder: Option<&Path>, name: &str) -> Answer {
+        let extension = Path::new(name).extension().unwrap_or_default().to_string_lossy();
+        let files = rfd::AsyncFileDialog::new().add_filter(extension.to_uppercase(), &[&*extension]);
+        Self::wait(ctx, Self::start(files, folder).set_title("Export").set_file_name(name).save_file())
+    }
 }
 
 impl Scripted {
@@ -139,6 +148,9 @@ impl Dialogs for Scripted {
     }
 
     fn open_mesh(&mut self, _ctx: &egui::Context, _folder: Option<&Path>) -> Answer {
+        self.next()
+    }
+    fn export(&mut self, _ctx: &egui::Context, _folder: Option<&Path>, _name: &str) -> Answer {
         self.next()
     }
 }

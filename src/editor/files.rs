@@ -8,6 +8,8 @@ use super::edits;
 use super::presets::Preset;
 use super::recovery::Offer;
 use super::session::{Notice, Session, ViewState};
+use crate::analysis::Sheet;
+use crate::export::plot::PlotFormat;
 use crate::scene::{self, History, Scene};
 use crate::surface::Shape;
 
@@ -52,6 +54,8 @@ enum Purpose {
     Pattern(Option<String>),
     /// Add a surface with a mesh, or give another mesh to the surface of that name.
     Mesh(Option<String>),
+    /// Write a plot.
+    Plot(PlotFormat, Box<Sheet>),
 }
 
 /// What to do where the desktop has no file dialogs.
@@ -152,6 +156,7 @@ impl App {
             }
             (Reply::Chosen(path), Purpose::Pattern(light)) => self.use_pattern(&path, light.as_deref()),
             (Reply::Chosen(path), Purpose::Mesh(surface)) => self.use_mesh(&path, surface.as_deref()),
+            (Reply::Chosen(path), Purpose::Plot(format, sheet)) => self.write_plot(path, format, &sheet),
         }
     }
 
@@ -181,6 +186,27 @@ impl App {
             (Ok(mesh), None) => self.session.add_surface(Shape::Mesh(mesh)),
             (Ok(mesh), Some(name)) => self.session.replace_mesh(name, mesh),
             (Err(error), _) => self.session.failed(error),
+        }
+    }
+
+    /// Ask where to write a plot.
+    pub fn export_plot(&mut self, ctx: &egui::Context, format: PlotFormat, sheet: Box<Sheet>) {
+        let safe = |c: char| if c.is_alphanumeric() { c } else { '-' };
+        let stem: String = sheet.plot.name.chars().map(safe).collect();
+        let name = format!("{}.{}", stem.to_lowercase(), format.extension());
+        let answer = self.dialogs.export(ctx, self.folder().as_deref(), &name);
+        self.files.waiting = Some((answer, Purpose::Plot(format, sheet)));
+    }
+
+    /// Write a plot whole, or not at all.
+    fn write_plot(&mut self, path: PathBuf, format: PlotFormat, sheet: &Sheet) {
+        let path = if path.extension().is_none() { path.with_extension(format.extension()) } else { path };
+        let bytes = format.write(std::slice::from_ref(sheet)).map_err(|error| error.to_string());
+        let written = bytes.and_then(|bytes| scene::replace_file(&path, &bytes).map_err(|error| error.to_string()));
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        match written {
+            Ok(()) => self.session.done(format!("Exported {name}")),
+            Err(error) => self.session.failed(format!("{name} was not exported: {error}")),
         }
     }
 

@@ -15,6 +15,7 @@ pub mod jobs;
 pub mod library;
 pub mod light_list;
 pub mod panes;
+pub mod plotting;
 pub mod presets;
 pub mod recovery;
 pub mod session;

@@ -11,6 +11,7 @@ use super::commands::Command;
 use super::handles::corners::Corner;
 use super::handles::frame::Transform;
 use super::handles::place::Place;
+use super::plotting::PlotState;
 use super::tools::outline::Outline;
 use super::tools::work_plane::WorkPlane;
 use super::variants;
@@ -88,17 +89,6 @@ pub enum Framing {
     Selection,
     /// Everything.
     All,
-}
-
-/// Which plot is shown, and which of its curves are not.
-#[derive(Clone, Debug, Default)]
-pub struct PlotState {
-    /// Index of the plot in front.
-    pub active: usize,
-    /// Methods switched off in the legend.
-    pub hidden: BTreeSet<String>,
-    /// Draw ordinates on a logarithmic axis.
-    pub logarithmic: bool,
 }
 
 /// Something to tell the user once.

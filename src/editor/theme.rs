@@ -4,7 +4,6 @@ use egui::style::WidgetVisuals;
 use egui::{Color32, CornerRadius, FontFamily, FontId, Margin, Shadow, Stroke, TextStyle, Theme, Visuals, vec2};
 
 use crate::analysis::Pen;
-use crate::shading::Method;
 
 /// Width of the inspector's label column, points.
 pub const LABEL_WIDTH: f32 = 92.0;
@@ -80,11 +79,10 @@ pub fn accent(visuals: &Visuals) -> Color32 {
     palette(visuals).accent
 }
 
-/// The curve of a method: colour, and lengths of dashes and gaps in turn.
-pub fn method_pen(method: Method, visuals: &Visuals) -> (Color32, &'static [f32]) {
-    let pen = Pen::of(method);
+/// The colour of a curve.
+pub fn pen_color(pen: &Pen, visuals: &Visuals) -> Color32 {
     let [r, g, b] = if visuals.dark_mode { pen.on_dark } else { pen.on_light };
-    (Color32::from_rgb(r, g, b), pen.dashes)
+    Color32::from_rgb(r, g, b)
 }
 
 fn palette(visuals: &Visuals) -> &'static Palette {

@@ -2,10 +2,10 @@
 
 use csv::Writer;
 
-use crate::analysis::Curves;
-use crate::scene::Plot;
+use crate::analysis::Sheet;
 
-/// The columns: `bound` is the reference's error bound, empty for other methods.
+/// The columns: `method` is the name of a pinned curve, too; `error` is empty for these, and `bound`, the reference's error
+/// bound, for all but the reference.
 const HEADER: [&str; 6] = ["plot", "x", "method", "y", "error", "bound"];
 
 /// The curves of plots, each number with the 17 digits that bring it back to the last bit.
@@ -13,16 +13,21 @@ const HEADER: [&str; 6] = ["plot", "x", "method", "y", "error", "bound"];
 /// # Errors
 ///
 /// None but what the writer of CSV states.
-pub fn plots(plots: &[(&Plot, Curves)]) -> csv::Result<Vec<u8>> {
+pub fn plots(sheets: &[Sheet]) -> csv::Result<Vec<u8>> {
     let mut rows = Writer::from_writer(Vec::new());
     rows.write_record(HEADER)?;
-    for (plot, curves) in plots {
+    for Sheet { plot, curves, pins, .. } in sheets {
         for series in &curves.series {
             let method = series.method.to_string();
             for (i, x) in curves.x.iter().enumerate() {
                 let bound = series.band.as_ref().map_or_else(String::new, |band| number(band[i]));
                 let record = [&plot.name, &number(*x), &method, &number(series.y[i]), &number(series.error[i]), &bound];
                 rows.write_record(record)?;
+            }
+        }
+        for (_, pin) in pins {
+            for (x, y) in pin.x.iter().zip(&pin.y) {
+                rows.write_record([&plot.name, &number(*x), &pin.name, &number(*y), "", ""])?;
             }
         }
     }

@@ -3,5 +3,6 @@
 pub mod csv;
 pub mod error_map;
 pub mod exr;
+pub mod plot;
 pub mod png;
 pub mod svg;

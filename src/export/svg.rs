@@ -1,20 +1,18 @@
 //! Plots as SVG: a panel a plot, with the curves, their errors beneath, and what each method costs at their side.
 
-mod axis;
 mod chart;
 mod frame;
 mod legend;
+mod polar;
 mod scale;
 
 use std::fmt::Write as _;
 
-use crate::analysis::{Curves, Series};
-use crate::scene::{Plot, PlotKind};
-use crate::shading::Method;
-use axis::{Axis, Steps};
+use crate::analysis::axis::Axis;
+use crate::analysis::{Look, Sheet, Trace, abscissa, turns};
 use frame::Frame;
 
-pub use axis::three_digits;
+pub use crate::analysis::axis::three_digits;
 pub use chart::chart;
 pub use scale::ColorScale;
 
@@ -36,16 +34,6 @@ const ERRORS: [f64; 2] = [452.0, 346.0];
 /// Left side of the legend.
 const LEGEND: f64 = 656.0;
 
-/// How far a linear plot shows curves above the greatest exact value, as a multiple of it: a point light close by
-/// would else press all others flat.
-const HEADROOM: f64 = 1.6;
-
-/// How many decades a logarithmic plot shows below its greatest value.
-const DECADES: f64 = 1e-8;
-
-/// The greatest relative error that a plot of them shows, %.
-const MOST_PERCENT: f64 = 100.0;
-
 const INK: &str = "#22262b";
 const WEAK: &str = "#5d6672";
 const GRID: &str = "#e3e6ea";
@@ -53,9 +41,9 @@ const GRID: &str = "#e3e6ea";
 /// A picture of plots, one above the other, on white.
 ///
 /// Costs are measured, so they differ from run to run; all else is the same.
-pub fn plots(plots: &[(&Plot, Curves)]) -> String {
-    let height = PANEL * plots.len() as f64;
-    let names: Vec<_> = plots.iter().map(|(plot, _)| escaped(&plot.name)).collect();
+pub fn plots(sheets: &[Sheet]) -> String {
+    let height = PANEL * sheets.len() as f64;
+    let names: Vec<_> = sheets.iter().map(|sheet| escaped(&sheet.plot.name)).collect();
     let mut svg = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{WIDTH}\" height=\"{height}\" \
          viewBox=\"0 0 {WIDTH} {height}\" role=\"img\" font-family=\"Ubuntu, Helvetica, Arial, sans-serif\" \
@@ -63,9 +51,9 @@ pub fn plots(plots: &[(&Plot, Curves)]) -> String {
          <rect width=\"{WIDTH}\" height=\"{height}\" fill=\"#ffffff\"/>\n",
         names.join("; ")
     );
-    for (i, (plot, curves)) in plots.iter().enumerate() {
+    for (i, sheet) in sheets.iter().enumerate() {
         let _ = writeln!(svg, "<g transform=\"translate(0 {})\">", PANEL * i as f64);
-        panel(&mut svg, i, plot, curves);
+        panel(&mut svg, i, sheet);
         svg.push_str("</g>\n");
     }
     svg.push_str("</svg>\n");
@@ -73,105 +61,42 @@ pub fn plots(plots: &[(&Plot, Curves)]) -> String {
 }
 
 /// One plot.
-fn panel(svg: &mut String, index: usize, plot: &Plot, curves: &Curves) {
+fn panel(svg: &mut String, index: usize, sheet: &Sheet) {
+    let Sheet { plot, curves, look, .. } = sheet;
     let _ = writeln!(svg, "<text x=\"{}\" y=\"32\" font-size=\"17\">{}</text>", SIDES[0], escaped(&plot.name));
-    let x = abscissa(plot.kind, curves);
-    let y = ordinate(curves);
-    let relative = curves.logarithmic_x;
-    let clip = |part: &str| format!("{part}-{index}");
-    let values = Frame { x, y, clip: clip("curves") };
-    let errors = Frame { x, y: error_axis(curves, relative), clip: clip("errors") };
-    values.grid(svg, false);
-    errors.grid(svg, true);
-    values.label(svg, &curves.y_label);
-    errors.label(svg, &if relative { "Error (%)".to_owned() } else { labelled("Error", unit(&curves.y_label)) });
-    errors.label_x(svg, &curves.x_label);
-    for series in in_drawing_order(&curves.series) {
-        values.curve(svg, series.method, &curves.x, &series.y, series.band.as_deref());
-        if series.method != Method::Exact {
-            let [error, band] = [Some(&series.error), series.band.as_ref()].map(|values| {
-                values.map(|values| if relative { percent(values, &curves.exact) } else { values.clone() })
-            });
-            errors.curve(svg, series.method, &curves.x, &error.unwrap_or_default(), band.as_deref());
-        }
-    }
-    values.outline(svg);
-    errors.outline(svg);
-    legend::write(svg, [LEGEND, CURVES[1]], plot, curves);
-}
-
-/// The reference beneath the exact curve, and the approximations above it, the crudest last.
-fn in_drawing_order(series: &[Series]) -> Vec<&Series> {
-    let mut series: Vec<_> = series.iter().collect();
-    series.sort_by_key(|series| match series.method {
-        Method::Reference => 0,
-        Method::Exact => 1,
-        _ => 2,
-    });
-    series
-}
-
-fn abscissa(kind: PlotKind, curves: &Curves) -> Axis {
-    let steps = match kind {
-        _ if curves.logarithmic_x => Steps::Decades,
-        PlotKind::Tilt | PlotKind::View => Steps::Degrees,
-        PlotKind::Line | PlotKind::Distance => Steps::Decimal,
-    };
+    let traces = sheet.traces();
     let ends = [curves.x.first(), curves.x.last()].map(|end| end.copied().unwrap_or(0.0));
-    Axis::new(ends, SIDES, steps)
-}
-
-/// From zero, or from the least value, to the greatest; logarithmic where the abscissa is and there is anything to show.
-fn ordinate(curves: &Curves) -> Axis {
-    let all = || curves.series.iter().flat_map(|series| series.y.iter().copied()).filter(|y| y.is_finite());
-    let greatest_exact = greatest_exact(curves);
-    let greatest = all().fold(0.0, f64::max);
-    let least = all().filter(|y| *y > 0.0).fold(greatest, f64::min);
-    if curves.logarithmic_x && greatest > 0.0 {
-        let span = [least.max(greatest * DECADES), greatest];
-        return Axis::widened(span, CURVES, Steps::Decades, 6.0);
-    }
-    let top = if greatest_exact > 0.0 { greatest.min(HEADROOM * greatest_exact) } else { greatest };
-    let bottom = all().fold(0.0, f64::min).max(-top);
-    Axis::widened(not_empty([bottom, top]), CURVES, Steps::Decimal, 6.0)
-}
-
-/// As far as the errors reach, below and above zero.
-fn error_axis(curves: &Curves, relative: bool) -> Axis {
-    let greatest_exact = greatest_exact(curves);
-    let most = if relative { MOST_PERCENT } else { (HEADROOM - 1.0) * greatest_exact };
-    let mut span = [0.0_f64; 2];
-    for series in &curves.series {
-        let errors = if relative { percent(&series.error, &curves.exact) } else { series.error.clone() };
-        for error in errors.into_iter().filter(|error| error.is_finite()) {
-            span = [span[0].min(error.max(-most)), span[1].max(error.min(most))];
+    let x = abscissa(plot.kind, curves.logarithmic_x, ends, SIDES);
+    let clip = |part: &str| format!("{part}-{index}");
+    if look.polar && turns(plot.kind) {
+        polar::write(svg, *look, &traces, ends, &curves.y_label);
+    } else {
+        let (span, steps) = look.value_span(&traces);
+        let values = Frame { x, y: Axis::widened(span, CURVES, steps, 6.0), clip: clip("curves") };
+        values.grid(svg, false);
+        values.label(svg, &curves.y_label);
+        for trace in &traces {
+            values.curve(svg, trace, trace.y, trace.band);
         }
+        values.outline(svg);
     }
-    Axis::widened(not_empty(span), ERRORS, Steps::Decimal, 4.0)
+    let (span, steps) = look.error_span(&traces);
+    let errors = Frame { x, y: Axis::widened(span, ERRORS, steps, 4.0), clip: clip("errors") };
+    errors.grid(svg, true);
+    errors.label(svg, &look.error_label(&curves.y_label));
+    errors.label_x(svg, &curves.x_label);
+    for trace in traces.iter().filter(|trace| trace.error.is_some()) {
+        errors.curve(svg, trace, &look.errors(trace), error_band(*look, trace).as_deref());
+    }
+    errors.outline(svg);
+    legend::write(svg, [LEGEND, CURVES[1]], sheet);
 }
 
-/// The greatest finite exact value, 0 if there is none above.
-fn greatest_exact(curves: &Curves) -> f64 {
-    curves.exact.iter().copied().filter(|y| y.is_finite()).fold(0.0, f64::max)
-}
-
-/// A span that an axis can show.
-fn not_empty([low, high]: [f64; 2]) -> [f64; 2] {
-    if high > low { [low, high] } else { [-1.0, 1.0] }
-}
-
-/// Errors in % of the exact values; not finite where these are zero.
-fn percent(errors: &[f64], exact: &[f64]) -> Vec<f64> {
-    errors.iter().zip(exact).map(|(error, exact)| 100.0 * error / exact).collect()
-}
-
-/// The unit that an axis' label ends in, in parentheses; empty where there is none.
-fn unit(label: &str) -> &str {
-    label.rsplit_once('(').and_then(|(_, rest)| rest.strip_suffix(')')).unwrap_or_default()
-}
-
-fn labelled(name: &str, unit: &str) -> String {
-    if unit.is_empty() { name.to_owned() } else { format!("{name} ({unit})") }
+/// The reference's bound in the units of its error; magnitudes on a logarithmic axis have none.
+fn error_band(look: Look, trace: &Trace<'_>) -> Option<Vec<f64>> {
+    let (band, (exact, _)) = (trace.band?, trace.error?);
+    let linear = Look { logarithmic_error: false, ..look };
+    (!look.logarithmic_error).then(|| band.iter().zip(exact).map(|(band, exact)| linear.error(*band, *exact)).collect())
 }
 
 /// A number as XML: what follows `^` is raised, as few fonts have all the superscripts.

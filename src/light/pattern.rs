@@ -58,8 +58,9 @@ pub struct Pattern {
 }
 
 impl PartialEq for Channel {
+    /// Texel by texel, but for copies that share them.
     fn eq(&self, other: &Self) -> bool {
-        self.width == other.width && self.texels == other.texels
+        std::ptr::eq(self, other) || (self.width == other.width && self.texels == other.texels)
     }
 }
 

@@ -21,6 +21,7 @@ pub mod textured;
 pub use lobe::{Lobe, Lobe as PhongLobe, LobeModel};
 pub use method::{Method, UnknownMethod};
 pub use prepared::Prepared;
+pub use reference::BoundedResponse;
 
 use glam::DVec3;
 
@@ -66,7 +67,7 @@ pub fn respond(emitter: &Emitter, method: Method, at: &ShadingPoint, lobe: &Phon
 }
 
 /// The response by a method that needs nothing prepared.
-fn answer(emitter: &Emitter, method: Method, at: &ShadingPoint, lobe: &Lobe, sought: Sought) -> Response {
+fn answer(emitter: &Emitter, method: Method, at: &ShadingPoint, lobe: &Lobe, sought: Sought<'_>) -> Response {
     if method == Method::Reference {
         return reference::reference(emitter, at, lobe).response();
     }
@@ -81,7 +82,7 @@ fn answer(emitter: &Emitter, method: Method, at: &ShadingPoint, lobe: &Lobe, sou
 
 /// The response of a shape's own module: its specular part is right for cosine lobes, and for all others by methods that
 /// take any lobe.
-fn answer_cosine(emitter: &Emitter, method: Method, at: &ShadingPoint, lobe: &Lobe, sought: Sought) -> Response {
+fn answer_cosine(emitter: &Emitter, method: Method, at: &ShadingPoint, lobe: &Lobe, sought: Sought<'_>) -> Response {
     match emitter {
         Emitter::Polygon(light) => polygon::respond(light, method, at, lobe),
         Emitter::Line(light) => line::respond(light, method, at, lobe),

@@ -1,6 +1,9 @@
 //! A light prepared for one method.
 
+use std::sync::atomic::{AtomicBool, Ordering};
+
 use super::one_shot::OneShot;
+use super::reference::{BoundedResponse, reference_unless};
 use super::textured::quadrature::Sought;
 use super::{Method, PhongLobe, Response, ShadingPoint, answer};
 use crate::light::Emitter;
@@ -11,7 +14,7 @@ pub struct Prepared {
     emitter: Emitter,
     method: Method,
     one_shot: Option<OneShot>,
-    sought: Sought,
+    sought: Sought<'static>,
 }
 
 impl Prepared {
@@ -42,5 +45,19 @@ impl Prepared {
             Some(one_shot) => one_shot.respond(at, lobe),
             None => answer(&self.emitter, self.method, at, lobe, self.sought),
         }
+    }
+
+    /// [`Self::respond`], with the reference's bounds, none for other methods; given up when `cancel` is set while it is at
+    /// work, as quadrature over a large pattern takes seconds.
+    pub fn respond_unless(&self, at: &ShadingPoint, lobe: &PhongLobe, cancel: &AtomicBool) -> Option<BoundedResponse> {
+        if self.method == Method::Reference {
+            return reference_unless(&self.emitter, at, lobe, cancel);
+        }
+        let sought = Sought { cancel: Some(cancel), ..self.sought };
+        let response = match &self.one_shot {
+            Some(one_shot) => one_shot.respond(at, lobe),
+            None => answer(&self.emitter, self.method, at, lobe, sought),
+        };
+        (!cancel.load(Ordering::Relaxed)).then(|| response.into())
     }
 }

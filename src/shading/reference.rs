@@ -16,6 +16,7 @@ pub use sphere::{cap_reference, sky_reference, sphere_reference};
 pub use textured::{Luminance, rectangle_reference, textured_reference};
 
 use std::f64::consts::PI;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use glam::DVec3;
 
@@ -39,9 +40,18 @@ impl BoundedResponse {
     }
 }
 
+impl From<Response> for BoundedResponse {
+    /// Without bounds.
+    fn from(response: Response) -> Self {
+        let [irradiance, specular] =
+            [response.irradiance, response.specular].map(|value| Estimate { value, error: 0.0 });
+        Self { irradiance, specular }
+    }
+}
+
 /// The weight of a direction in every integral here: max(0, axis·ω)ᵐ above up to two horizons, or a lobe's density
 /// above one.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 pub struct Kernel<'a> {
     /// Unit direction of the peak, or near it; of a cosine the normal of a horizon too.
     pub axis: DVec3,
@@ -55,6 +65,8 @@ pub struct Kernel<'a> {
     tolerances: [Tolerance; 2],
     /// Where to split about the peak, in widths 1/√m.
     splits: &'static [f64],
+    /// Set when the integral is not wanted any more.
+    cancel: Option<&'a AtomicBool>,
 }
 
 /// Doubling from the lobe's width, so that each piece sees its tail.
@@ -70,7 +82,7 @@ impl<'a> Kernel<'a> {
 
     /// The cosine about an axis to the power m.
     pub fn cosine_power(axis: DVec3, m: f64) -> Self {
-        Self { axis, exponent: m, horizon: None, lobe: None, tolerances: [OUTER, INNER], splits: SPLITS }
+        Self { axis, exponent: m, horizon: None, lobe: None, tolerances: [OUTER, INNER], splits: SPLITS, cancel: None }
     }
 
     /// The Phong lobe about r of exponent m, above the horizon of n.
@@ -111,6 +123,11 @@ impl<'a> Kernel<'a> {
         self.splits.iter().flat_map(move |split| [-split * width, split * width])
     }
 
+    /// Whether the integral is not wanted any more.
+    fn is_cancelled(&self) -> bool {
+        self.cancel.is_some_and(|cancel| cancel.load(Ordering::Relaxed))
+    }
+
     /// The error sought in an outer integral.
     fn outer(&self) -> Tolerance {
         self.tolerances[0]
@@ -139,13 +156,28 @@ const QUICK: [Tolerance; 2] = [
 /// **Accuracy:** the bound is 1e-7 of the value or less in ordinary cases; the budget keeps an evaluation to some
 /// milliseconds, and where it is spent the bound is wider.
 pub fn reference(emitter: &Emitter, at: &ShadingPoint, lobe: &Lobe) -> BoundedResponse {
-    let irradiance = integral(emitter, at.p, &Kernel::cosine(at.n));
+    bounded(emitter, at, lobe, None)
+}
+
+/// [`reference`], given up when `cancel` is set meanwhile: over a large pattern it takes seconds.
+pub fn reference_unless(
+    emitter: &Emitter,
+    at: &ShadingPoint,
+    lobe: &Lobe,
+    cancel: &AtomicBool,
+) -> Option<BoundedResponse> {
+    let response = bounded(emitter, at, lobe, Some(cancel));
+    (!cancel.load(Ordering::Relaxed)).then_some(response)
+}
+
+fn bounded(emitter: &Emitter, at: &ShadingPoint, lobe: &Lobe, cancel: Option<&AtomicBool>) -> BoundedResponse {
+    let irradiance = integral(emitter, at.p, &Kernel { cancel, ..Kernel::cosine(at.n) });
     let specular = if lobe.is_cosine() {
         let (seen, factor) = lobe.seen(at);
-        let kernel = Kernel::lobe(seen.mirror(), lobe.exponent(), at.n);
+        let kernel = Kernel { cancel, ..Kernel::lobe(seen.mirror(), lobe.exponent(), at.n) };
         integral(emitter, at.p, &kernel) * (factor * (lobe.exponent() + 1.0) / (2.0 * PI))
     } else {
-        integral(emitter, at.p, &Kernel::density(at.mirror(), lobe, at.n))
+        integral(emitter, at.p, &Kernel { cancel, ..Kernel::density(at.mirror(), lobe, at.n) })
     };
     BoundedResponse { irradiance, specular }
 }

@@ -14,7 +14,13 @@ use crate::light::{PolygonEmitter, TexturedEmitter};
 use crate::math::interpolation::CHEBYSHEV;
 
 /// Response to a textured light of luminance 1 by a method; `sought` is for the exact one.
-pub fn respond(light: &TexturedEmitter, method: Method, at: &ShadingPoint, lobe: &Lobe, sought: Sought) -> Response {
+pub fn respond(
+    light: &TexturedEmitter,
+    method: Method,
+    at: &ShadingPoint,
+    lobe: &Lobe,
+    sought: Sought<'_>,
+) -> Response {
     match method {
         Method::PointCluster(points) => textured_cluster(light, points, at, lobe),
         Method::Point => textured_cluster(light, 1, at, lobe),
@@ -27,7 +33,7 @@ pub fn respond(light: &TexturedEmitter, method: Method, at: &ShadingPoint, lobe:
 /// **Accuracy:** as sought; by default the bounds are at most 1e-6 of the value, or 1e-9 of what the rectangle would
 /// give at luminance 1.
 /// **Cost:** follows what is in sight, not the number of texels.
-pub fn textured_exact(light: &TexturedEmitter, at: &ShadingPoint, lobe: &Lobe, sought: Sought) -> BoundedResponse {
+pub fn textured_exact(light: &TexturedEmitter, at: &ShadingPoint, lobe: &Lobe, sought: Sought<'_>) -> BoundedResponse {
     BoundedResponse {
         irradiance: integrate(light, &*light.pattern, at.p, &cosine(at.n), sought),
         specular: integrate(light, &*light.pattern, at.p, &reflection(lobe, at), sought),

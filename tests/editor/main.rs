@@ -4,10 +4,12 @@
 mod comfort;
 mod draw;
 mod files;
-mod list;
 mod gestures;
 mod library;
+mod list;
 mod panes;
+mod plots;
+mod problems;
 mod safety;
 mod shapes;
 mod start;

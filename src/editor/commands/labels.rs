@@ -62,6 +62,7 @@ impl Command {
             Self::AddPlot(kind) => upper_first(edits::kind_name(*kind)),
             Self::Method(method) => method.to_string(),
             Self::List(command) => command.label(session),
+            Self::ShowPane(pane) => format!("Show {}", pane.title().to_lowercase()),
             Self::ToggleTheme => "Switch dark/light theme".to_owned(),
             _ => self.fixed_label().to_owned(),
         }
@@ -114,6 +115,7 @@ impl Command {
             Self::Palette => "Find a command…",
             Self::FirstSteps => "First steps",
             Self::Keys => "Keys",
+            Self::ExportPlot(..) => "Export plot",
             _ => "",
         }
     }
@@ -146,6 +148,7 @@ impl Command {
             | Self::OpenExample(_)
             | Self::Save
             | Self::SaveAs
+            | Self::ExportPlot(..)
             | Self::Quit => Category::File,
             Self::Undo
             | Self::Redo
@@ -186,6 +189,7 @@ impl Command {
             | Self::FirstSteps
             | Self::ResetLayout
             | Self::ToggleTheme
+            | Self::ShowPane(_)
             | Self::Keys => Category::Window,
         }
     }

@@ -23,7 +23,8 @@ use super::panes::{self, Pane};
 use super::presets::Preset;
 use super::session::{Framing, Item, Session, Tool};
 use super::tools::outline::OutlineKind;
-use crate::analysis::methods_for;
+use crate::analysis::{Sheet, methods_for};
+use crate::export::plot::PlotFormat;
 use crate::scene::{PlotKind, Scene};
 use crate::shading::Method;
 
@@ -80,6 +81,10 @@ pub enum Command {
     AddMaterial,
     /// Add a plot.
     AddPlot(PlotKind),
+    /// Write a plot as it is shown.
+    ExportPlot(PlotFormat, Box<Sheet>),
+    /// Bring a pane to the front.
+    ShowPane(Pane),
     /// Take a tool.
     Tool(Tool),
     /// Take the tool that makes outlines of that kind.
@@ -232,6 +237,8 @@ impl Command {
             Self::ReplaceMesh(surface) => app.choose_mesh(ctx, Some(surface)),
             Self::AddMaterial => session.add_material(),
             Self::AddPlot(kind) => session.add_plot(kind),
+            Self::ExportPlot(format, sheet) => app.export_plot(ctx, format, sheet),
+            Self::ShowPane(pane) => app.show_pane(pane),
             Self::Tool(tool) => session.tool = tool,
             Self::Outline(kind) => {
                 session.tool = Tool::Outline;

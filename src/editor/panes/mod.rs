@@ -27,7 +27,8 @@ pub use messages::Messages;
 pub use outliner::Outliner;
 pub use overlays::{Choice, Recover, ask_recover, ask_unsaved, drop_hint, first_steps};
 pub use palette::{Outcome, Palette};
-pub use plots::Plots;
+pub use plots::{Plots, Work};
+pub use problems::Problems;
 pub use variants::Variants;
 
 use egui::{Button, Color32, Response, Ui, WidgetText, vec2};
@@ -58,6 +59,21 @@ pub enum Pane {
     Library,
 }
 
+impl Pane {
+    /// What its tab says.
+    pub fn title(self) -> &'static str {
+        match self {
+            Self::Viewport => "View",
+            Self::Outliner => "Outliner",
+            Self::Inspector => "Inspector",
+            Self::Plots => "Plots",
+            Self::Problems => "Problems",
+            Self::Variants => "Variants",
+            Self::Library => "Library",
+        }
+    }
+}
+
 /// The panes' own state.
 #[derive(Default)]
 pub struct Views {
@@ -69,6 +85,8 @@ pub struct Views {
     pub inspector: Inspector,
     /// Curves at a probe.
     pub plots: Plots,
+    /// What is wrong.
+    pub problems: Problems,
     /// Named states of the lights.
     pub variants: Variants,
     /// Presets and scenes.
@@ -125,7 +143,7 @@ impl egui_tiles::Behavior<Pane> for Panes<'_> {
             Pane::Outliner => self.commands.extend(self.views.outliner.show(ui, self.session)),
             Pane::Inspector => self.commands.extend(self.views.inspector.show(ui, self.session)),
             Pane::Plots => self.commands.extend(self.views.plots.show(ui, self.session)),
-            Pane::Problems => problems::show(ui, self.session),
+            Pane::Problems => self.commands.extend(self.views.problems.show(ui, self.session)),
             Pane::Variants => self.commands.extend(self.views.variants.show(ui, self.session)),
             Pane::Library => {
                 let Views { library, thumbnails, .. } = self.views;
@@ -136,16 +154,10 @@ impl egui_tiles::Behavior<Pane> for Panes<'_> {
     }
 
     fn tab_title_for_pane(&mut self, pane: &Pane) -> WidgetText {
-        match pane {
-            Pane::Viewport => "View",
-            Pane::Outliner => "Outliner",
-            Pane::Inspector => "Inspector",
-            Pane::Plots => "Plots",
-            Pane::Problems => "Problems",
-            Pane::Variants => "Variants",
-            Pane::Library => "Library",
+        match (pane, self.views.problems.count()) {
+            (Pane::Problems, count @ 1..) => format!("{} ({count})", pane.title()).into(),
+            _ => pane.title().into(),
         }
-        .into()
     }
 
     fn simplification_options(&self) -> SimplificationOptions {

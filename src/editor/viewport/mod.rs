@@ -174,6 +174,9 @@ impl Viewport {
         if let Some(plot) = scene.plots.get(session.plots.active).filter(|_| self.overlays.probe) {
             let chosen = session.selection.contains(Item::Plot(session.plots.active)) || self.pointer.holds_probe();
             overlay::paint_probe(plot, chosen, accent, projection, &painter);
+            if let Some(x) = session.plots.cursor {
+                overlay::paint_probe_at(plot, x, accent, projection, &painter);
+            }
         }
         self.pointer.paint(session, accent, projection, &painter);
         if self.overlays.gnomon {

@@ -2,10 +2,11 @@
 
 use std::fmt::Write as _;
 
-use super::axis::{Axis, Steps};
-use super::frame::Frame;
+use super::frame::{Frame, pen_stroke};
 use super::scale::{ColorScale, hex};
 use super::{INK, escaped};
+use crate::analysis::Pen;
+use crate::analysis::axis::{Axis, Steps};
 use crate::analysis::chart::{Body, Chart, Line, Map, Panel};
 use crate::render::false_colour::sequential;
 
@@ -20,9 +21,6 @@ const FRAME: [f64; 4] = [78.0, 462.0, 284.0, 30.0];
 
 /// How far a map's frame ends above that of curves, for its scale.
 const SCALE: f64 = 58.0;
-
-/// Okabe and Ito's colours, which colour-blind readers tell apart ("Color Universal Design", 2008).
-const COLORS: [&str; 6] = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"];
 
 /// Height of a row of the legend.
 const ROW: f64 = 17.0;
@@ -100,9 +98,7 @@ fn ordinate(lines: &[Line], sides: [f64; 2]) -> Axis {
 
 /// The attributes of the line of that index.
 fn stroke(index: usize, line: &Line) -> String {
-    let color = COLORS[index % COLORS.len()];
-    let dashes = if line.dashed { " stroke-dasharray=\"7 4\"" } else { "" };
-    format!("fill=\"none\" stroke=\"{color}\" stroke-width=\"1.8\" stroke-linejoin=\"round\"{dashes}")
+    pen_stroke(&Pen::numbered(index, line.dashed), 1.8)
 }
 
 /// The names of the lines, in the upper right corner.

@@ -2,9 +2,9 @@
 
 use std::fmt::Write as _;
 
-use super::axis::Axis;
 use super::{GRID, WEAK, escaped, number};
-use crate::analysis::Pen;
+use crate::analysis::axis::Axis;
+use crate::analysis::{Pen, Trace};
 use crate::shading::Method;
 
 /// Distance of an ordinate's name from the axis.
@@ -71,21 +71,22 @@ impl Frame {
             writeln!(svg, "<text x=\"{x}\" y=\"{y}\" text-anchor=\"middle\" font-size=\"13\">{}</text>", escaped(text));
     }
 
-    /// A method's curve with its band.
-    pub(super) fn curve(&self, svg: &mut String, method: Method, x: &[f64], y: &[f64], band: Option<&[f64]>) {
+    /// A curve through the values `y`, with the pen of `trace` and a band.
+    pub(super) fn curve(&self, svg: &mut String, trace: &Trace<'_>, y: &[f64], band: Option<&[f64]>) {
+        let x = trace.x;
         let clip = format!("clip-path=\"url(#{})\"", self.clip);
         if let Some(band) = band {
             let edge = |sign: f64| y.iter().zip(band).map(|(y, band)| y + sign * band).collect::<Vec<_>>();
             let (low, high) = (edge(-1.0), edge(1.0));
             let outline: Vec<_> = self.points(x, &high).chain(self.points(x, &low).rev()).flatten().collect();
-            let color = color(&Pen::of(method));
+            let color = color(&trace.pen);
             let _ = writeln!(
                 svg,
                 "<path d=\"{}Z\" fill=\"{color}\" fill-opacity=\"0.3\" {clip}/>",
                 path(outline.into_iter().map(Some))
             );
         }
-        self.polyline(svg, x, y, &stroke(method));
+        self.polyline(svg, x, y, &stroke(trace));
     }
 
     /// A line through points, with the attributes of its stroke.
@@ -104,7 +105,7 @@ impl Frame {
 }
 
 /// A path through points, which begins anew after those that are missing.
-fn path(points: impl Iterator<Item = Option<[f64; 2]>>) -> String {
+pub(super) fn path(points: impl Iterator<Item = Option<[f64; 2]>>) -> String {
     let mut path = String::new();
     let mut drawing = false;
     for point in points {
@@ -116,11 +117,14 @@ fn path(points: impl Iterator<Item = Option<[f64; 2]>>) -> String {
     path
 }
 
-/// The attributes of a method's line.
-pub(super) fn stroke(method: Method) -> String {
-    let width = if method == Method::Exact { 2.4 } else { 1.7 };
-    let pen = Pen::of(method);
-    let color = color(&pen);
+/// The attributes of a curve's line.
+pub(super) fn stroke(trace: &Trace<'_>) -> String {
+    pen_stroke(&trace.pen, if trace.method == Some(Method::Exact) { 2.4 } else { 1.7 })
+}
+
+/// The attributes of a line by a pen.
+pub(super) fn pen_stroke(pen: &Pen, width: f64) -> String {
+    let color = color(pen);
     let mut stroke = format!("fill=\"none\" stroke=\"{color}\" stroke-width=\"{width}\" stroke-linejoin=\"round\"");
     if !pen.dashes.is_empty() {
         let dashes: Vec<_> = pen.dashes.iter().map(f32::to_string).collect();
@@ -130,7 +134,7 @@ pub(super) fn stroke(method: Method) -> String {
 }
 
 /// A pen's colour on paper.
-fn color(pen: &Pen) -> String {
+pub(super) fn color(pen: &Pen) -> String {
     let [r, g, b] = pen.on_light;
     format!("#{r:02x}{g:02x}{b:02x}")
 }

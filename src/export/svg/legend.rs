@@ -1,11 +1,10 @@
-//! The methods of a plot: how each is drawn, how far off it is, and what it costs.
+//! The methods of a plot and its pinned curves: how each is drawn, how far off it is, and what it costs.
 
 use std::fmt::Write as _;
 
-use super::axis::three_digits;
 use super::frame::stroke;
-use super::{GRID, WEAK, escaped, number, unit};
-use crate::analysis::{Curves, Series};
+use super::{GRID, WEAK, escaped, number, three_digits};
+use crate::analysis::{Curves, Series, Sheet, Trace, unit};
 use crate::scene::{Plot, PlotKind};
 use crate::shading::Method;
 
@@ -20,21 +19,32 @@ const NAME: f64 = 40.0;
 const COLUMNS: [f64; 4] = [182.0, 244.0, 296.0, 336.0];
 
 /// The table, with its upper left corner at `corner`, and how to read it.
-pub(super) fn write(svg: &mut String, corner: [f64; 2], plot: &Plot, curves: &Curves) {
+pub(super) fn write(svg: &mut String, corner: [f64; 2], sheet: &Sheet) {
+    let Sheet { plot, curves, pins, .. } = sheet;
     let _ = writeln!(svg, "<g transform=\"translate({} {})\">", corner[0], corner[1]);
     let unit = unit(&curves.y_label);
     row(svg, 11.0, &format!("fill=\"{WEAK}\""), "Method", ["Max error", "RMS", "Cost", "Ratio"]);
     row(svg, 25.0, &format!("fill=\"{WEAK}\""), "", [unit, unit, "a point", ""]);
     let _ = writeln!(svg, "<path d=\"M{LINE} 33H{}\" stroke=\"{GRID}\"/>", COLUMNS[3]);
     let cheapest = curves.series.iter().map(|series| series.cost_ns).fold(f64::INFINITY, f64::min);
-    for (i, series) in curves.series.iter().enumerate() {
-        let y = 50.0 + ROW * i as f64;
+    let mut y = 50.0;
+    let mut line = |svg: &mut String, trace: &Trace<'_>, name: &str, figures: [String; 4]| {
         let middle = y - 4.0;
-        let _ = writeln!(svg, "<path d=\"M{LINE} {middle}H{}\" {}/>", NAME - 8.0, stroke(series.method));
-        row(svg, y, "", &series.method.to_string(), figures(series, cheapest).each_ref().map(String::as_str));
+        let _ = writeln!(svg, "<path d=\"M{LINE} {middle}H{}\" {}/>", NAME - 8.0, stroke(trace));
+        row(svg, y, "", name, figures.each_ref().map(String::as_str));
+        y += ROW;
+    };
+    for series in &curves.series {
+        let trace = Trace::of_series(series, &curves.x, &curves.exact);
+        line(svg, &trace, &series.method.to_string(), figures(series, cheapest));
     }
-    let top = 50.0 + ROW * curves.series.len() as f64 + 8.0;
-    for (i, note) in notes(plot, curves).iter().enumerate() {
+    for (index, pin) in pins {
+        let apart = pin.distance(curves).map_or_else(Default::default, |apart| apart.map(three_digits));
+        let [max, rms]: [String; 2] = apart;
+        line(svg, &Trace::of_pin(pin, *index), &pin.name, [max, rms, String::new(), String::new()]);
+    }
+    let top = y + 8.0;
+    for (i, note) in notes(plot, curves, !pins.is_empty()).iter().enumerate() {
         let y = top + 15.0 * i as f64;
         let _ = writeln!(svg, "<text x=\"{LINE}\" y=\"{y}\" font-size=\"11\" fill=\"{WEAK}\">{}</text>", escaped(note));
     }
@@ -75,7 +85,7 @@ fn two_digits(value: f64) -> String {
 }
 
 /// What the reader must know besides.
-fn notes(plot: &Plot, curves: &Curves) -> Vec<String> {
+fn notes(plot: &Plot, curves: &Curves, pinned: bool) -> Vec<String> {
     let v = |v: glam::DVec3| format!("({}, {}, {})", v.x, v.y, v.z).replace('-', "\u{2212}");
     let moved = match plot.kind {
         PlotKind::Tilt => "normal turned about",
@@ -88,6 +98,9 @@ fn notes(plot: &Plot, curves: &Curves) -> Vec<String> {
         "Error: method − exact. No shadows.".to_owned(),
         "Cost: measured, all lights; ratio to the cheapest.".to_owned(),
     ];
+    if pinned {
+        notes.push("Pinned curves: how far the exact one is from them now.".to_owned());
+    }
     if curves.series.iter().any(|series| series.band.is_some()) {
         notes.push("Shaded: the reference with its error bound.".to_owned());
     }

@@ -2,8 +2,8 @@
 
 use std::fmt::Write as _;
 
-use super::axis::{Axis, Steps};
 use super::{INK, WEAK, escaped, number};
+use crate::analysis::axis::{Axis, Steps};
 
 /// Height of the bar of colours.
 const BAR: f64 = 14.0;

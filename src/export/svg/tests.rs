@@ -1,7 +1,9 @@
 use glam::DVec3;
 
 use super::*;
-use crate::scene::PlotQuantity;
+use crate::analysis::{Curves, Pin, Series};
+use crate::scene::{Plot, PlotKind, PlotQuantity};
+use crate::shading::Method;
 
 fn plot(name: &str) -> Plot {
     Plot {
@@ -34,6 +36,7 @@ fn curves(y: &[f64], logarithmic_x: bool) -> Curves {
         x_label: "Tilt (°)".to_owned(),
         y_label: "Illuminance (lx)".to_owned(),
         logarithmic_x,
+        unit: 1.0,
         exact: y.to_vec(),
         series: series.into(),
     }
@@ -51,14 +54,14 @@ fn check(svg: &str) {
 #[test]
 fn every_plot_has_a_panel_with_its_name_as_text() {
     let curves = curves(&[1.0, 3.0, 2.0], false);
-    let svg = plots(&[(&plot("a < b & \"c\""), curves.clone()), (&plot("\u{1}second"), curves)]);
+    let svg = plots(&[Sheet::new(&plot("a < b & \"c\""), curves.clone()), Sheet::new(&plot("\u{1}second"), curves)]);
     check(&svg);
     assert!(svg.contains("a &lt; b &amp; &quot;c&quot;") && svg.contains(" second"), "{svg}");
 }
 
 #[test]
 fn a_plot_names_its_methods_and_units() {
-    let svg = plots(&[(&plot("p"), curves(&[1.0, 3.0, 2.0], false))]);
+    let svg = plots(&[Sheet::new(&plot("p"), curves(&[1.0, 3.0, 2.0], false))]);
     for expected in [">exact<", ">point<", ">reference<", "Illuminance (lx)", "Error (lx)", "Tilt (°)", ">lx<"] {
         assert!(svg.contains(expected), "no {expected} in:\n{svg}");
     }
@@ -75,8 +78,29 @@ fn odd_curves_still_draw() {
         &[1e-30, 2e-30],
         &[7.0, 7.0],
     ] {
-        for logarithmic_x in [false, true] {
-            check(&plots(&[(&plot("odd"), curves(y, logarithmic_x))]));
+        for bits in 0..32 {
+            let choice = |bit: u32| bits >> bit & 1 == 1;
+            let look = Look {
+                polar: choice(0),
+                logarithmic: choice(1),
+                relative_error: choice(2),
+                logarithmic_error: choice(3),
+            };
+            check(&plots(&[Sheet { look, ..Sheet::new(&plot("odd"), curves(y, choice(4))) }]));
         }
+    }
+}
+
+#[test]
+fn a_polar_plot_has_rings_rays_and_pinned_curves() {
+    let mut sheet = Sheet::new(&plot("p"), curves(&[1.0, 3.0, 2.0], false));
+    let labels = [&sheet.curves.x_label, &sheet.curves.y_label].map(Clone::clone);
+    let pin = Pin { name: "before <it>".to_owned(), labels, x: vec![1.0, 3.0], y: vec![1.0, 2.0] };
+    sheet.pins.push((1, pin));
+    sheet.look.polar = true;
+    let svg = plots(&[sheet]);
+    check(&svg);
+    for expected in ["before &lt;it&gt;", "45°", "\u{2212}90°", "A", ">3<"] {
+        assert!(svg.contains(expected), "no {expected} in:\n{svg}");
     }
 }

@@ -44,7 +44,7 @@ impl Luminance for Even {
 /// ∫ L weight(ω) dω over a textured light seen from p, texel by texel.
 ///
 /// A texel that is far away, and that no horizon crosses, is integrated by 3 × 3 Gauss–Legendre nodes, with ten times the
-/// distance from 2 × 2 as error; any other as a [`rectangle_reference`] of its own.
+/// distance from 2 × 2 as error; any other as a [`rectangle_reference`] of its own. Cancelled, it is whatever it has come to.
 pub fn textured_reference(light: &TexturedEmitter, p: DVec3, kernel: &Kernel) -> Estimate {
     let [columns, rows] = light.pattern.size();
     let (row, column) = (light.row / f64::from(columns), light.column / f64::from(rows));
@@ -52,6 +52,9 @@ pub fn textured_reference(light: &TexturedEmitter, p: DVec3, kernel: &Kernel) ->
     let mut sum = Estimate::default();
     for (j, texels) in (0..rows).zip(texels) {
         for (i, texel) in (0..columns).zip(texels).filter(|(_, texel)| **texel > 0.0) {
+            if kernel.is_cancelled() {
+                return sum;
+            }
             let corner = light.corner + f64::from(i) * row + f64::from(j) * column;
             let part = Rectangle { corner: corner - p, row, column, normal: light.normal, two_sided: light.two_sided };
             let level = f64::from(*texel);

@@ -1,6 +1,7 @@
 //! Adaptive quadrature over a rectangle with a pattern, with an error bound.
 
 use std::f64::consts::{PI, TAU};
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use glam::{DVec2, DVec3};
 
@@ -70,24 +71,30 @@ pub struct Weighing<F> {
 }
 
 /// The error sought.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Sought {
+#[derive(Clone, Copy, Debug)]
+pub struct Sought<'a> {
     /// Relative to the integral.
     pub relative: f64,
     /// Relative to the greatest density times the solid angle of the rectangle or of the density, if that is smaller.
     pub absolute: f64,
     /// Parts that may be looked at.
     pub parts: usize,
+    /// Set when the integral is not wanted any more; it is then whatever it has come to.
+    pub cancel: Option<&'a AtomicBool>,
 }
 
-impl Sought {
+impl Sought<'_> {
     /// For pictures, which show no more: 1e-4 of what the light does, or 1e-5 of the most that it could.
-    pub const PICTURE: Self = Self { relative: 1e-4, absolute: 1e-5, parts: 1 << 16 };
+    pub const PICTURE: Self = Self { relative: 1e-4, absolute: 1e-5, parts: 1 << 16, cancel: None };
+
+    fn is_cancelled(&self) -> bool {
+        self.cancel.is_some_and(|cancel| cancel.load(Ordering::Relaxed))
+    }
 }
 
-impl Default for Sought {
+impl Default for Sought<'_> {
     fn default() -> Self {
-        Self { relative: 5e-7, absolute: 1e-10, parts: 1 << 20 }
+        Self { relative: 5e-7, absolute: 1e-10, parts: 1 << 20, cancel: None }
     }
 }
 
@@ -124,7 +131,7 @@ pub fn integrate<F: Fn(DVec3) -> f64>(
     pattern: &impl Distribution,
     p: DVec3,
     weighing: &Weighing<F>,
-    sought: Sought,
+    sought: Sought<'_>,
 ) -> Estimate {
     let Some(mut view) = View::new(light, pattern, p, weighing) else { return Estimate::default() };
     let absolute = sought.absolute * weighing.greatest * view.solid_angle().min(TAU * weighing.width.powi(2));
@@ -146,7 +153,7 @@ pub fn integrate<F: Fn(DVec3) -> f64>(
             let threshold = (enough / parts.len() as f64).max(worst / 64.0);
             let mut next = Vec::with_capacity(2 * parts.len());
             for part in parts.drain(..) {
-                if part.estimate.error > threshold && view.halve(&part, &mut next) {
+                if part.estimate.error > threshold && !sought.is_cancelled() && view.halve(&part, &mut next) {
                     is_done = false;
                     looked_at += 2;
                 } else {

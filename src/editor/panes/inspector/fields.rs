@@ -339,7 +339,35 @@ fn common<T: PartialEq>(values: &[T]) -> Option<&T> {
 
 /// The label at the start of a row, by which the row's widget is found.
 pub(super) fn row_label(ui: &mut Ui, label: &str) -> Id {
-    ui.with_layout(egui::Layout::left_to_right(egui::Align::Center), |ui| ui.weak(label).id).inner
+    let response = ui.with_layout(egui::Layout::left_to_right(egui::Align::Center), |ui| ui.weak(label)).inner;
+    show_revealed(ui, &response, label);
+    response.id
+}
+
+/// A row that shall be seen: its label, and whether it has been scrolled to.
+#[derive(Clone)]
+struct Revealed(String, bool);
+
+/// Bring the row of that label into sight when it is shown next, and mark it until the next click.
+pub(in crate::editor) fn reveal(ctx: &egui::Context, label: &str) {
+    ctx.data_mut(|data| data.insert_temp(Id::NULL, Revealed(label.to_owned(), false)));
+}
+
+fn show_revealed(ui: &Ui, response: &Response, label: &str) {
+    let Some(Revealed(_, seen)) =
+        ui.data(|data| data.get_temp(Id::NULL)).filter(|revealed: &Revealed| revealed.0 == label)
+    else {
+        return;
+    };
+    if !seen {
+        response.scroll_to_me(Some(egui::Align::Center));
+        ui.data_mut(|data| data.insert_temp(Id::NULL, Revealed(label.to_owned(), true)));
+    } else if ui.input(|input| input.pointer.any_pressed()) {
+        ui.data_mut(|data| data.remove::<Revealed>(Id::NULL));
+    }
+    let stroke = egui::Stroke::new(1.5, theme::accent(ui.visuals()));
+    let mark = response.rect.expand2(vec2(4.0, 2.0));
+    ui.painter().rect_stroke(mark, 3.0, stroke, egui::StrokeKind::Outside);
 }
 
 /// A number to drag or type.

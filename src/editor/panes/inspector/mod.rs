@@ -13,6 +13,8 @@ mod vertices;
 
 use egui::Ui;
 
+pub(in crate::editor) use self::fields::reveal;
+
 use self::fields::Fields;
 use self::lights::Lights;
 use self::pattern::Thumbnail;

@@ -10,7 +10,7 @@ pub use draft::{Cursor, paint_draft};
 pub use gnomon::paint_gnomon;
 pub use grid::{Grid, paint_work_plane};
 pub use lights::{paint_lights, paint_outline};
-pub use probe::{NORMAL as PROBE_NORMAL, paint_probe};
+pub use probe::{NORMAL as PROBE_NORMAL, paint_probe, paint_probe_at};
 
 use egui::{Align2, Color32, FontId, Painter, Pos2, Stroke, vec2};
 use glam::DVec3;

@@ -3,8 +3,9 @@
 use egui::{Align2, Color32, Painter, Stroke, vec2};
 
 use super::label;
+use crate::analysis::probe;
 use crate::editor::viewport::projection::Projection;
-use crate::scene::Plot;
+use crate::scene::{Plot, PlotKind};
 
 /// Length of the normal's arrow, points.
 pub const NORMAL: f64 = 40.0;
@@ -32,4 +33,15 @@ pub fn paint_probe(plot: &Plot, chosen: bool, accent: Color32, projection: &Proj
     if chosen {
         label(&plot.name, at + vec2(10.0, 8.0), Align2::LEFT_TOP, color, painter);
     }
+}
+
+/// Draw the probe of a plot as it is at the abscissa that is pointed at in its curves.
+pub fn paint_probe_at(plot: &Plot, x: f64, color: Color32, projection: &Projection, painter: &Painter) {
+    let at = probe(plot, x);
+    let direction = if plot.kind == PlotKind::View { at.v } else { at.n };
+    let tip = at.p + NORMAL * projection.metres_per_point(at.p) * direction;
+    let (Some(foot), Some(end)) = (projection.project(at.p), projection.project(tip)) else { return };
+    painter.line_segment([foot, end], Stroke::new(1.25, color));
+    painter.circle_filled(end, 2.5, color);
+    painter.circle_stroke(foot, 3.0, Stroke::new(1.25, color));
 }

@@ -2,7 +2,7 @@
 
 /// What the steps between labels are multiples of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Steps {
+pub enum Steps {
     /// 1, 2 or 5 times a power of ten.
     Decimal,
     /// Parts of a right angle.
@@ -13,11 +13,11 @@ pub(super) enum Steps {
 
 /// An axis from one side of a frame to the other.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Axis {
+pub struct Axis {
     /// Least and greatest value.
-    pub(super) span: [f64; 2],
+    pub span: [f64; 2],
     /// Where these lie in the picture.
-    pub(super) sides: [f64; 2],
+    pub sides: [f64; 2],
     steps: Steps,
     /// The step to which the span was widened, so that both its ends are labelled.
     step: Option<f64>,
@@ -25,19 +25,21 @@ pub(super) struct Axis {
 
 /// A value that is labelled, and its label.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Tick {
-    pub(super) value: f64,
-    pub(super) label: String,
+pub struct Tick {
+    /// The value.
+    pub value: f64,
+    /// Its label; what follows `^` is to be raised.
+    pub label: String,
 }
 
 impl Axis {
     /// An axis over a span that is not empty, and positive for [`Steps::Decades`].
-    pub(super) fn new(span: [f64; 2], sides: [f64; 2], steps: Steps) -> Self {
+    pub fn new(span: [f64; 2], sides: [f64; 2], steps: Steps) -> Self {
         Self { span, sides, steps, step: None }
     }
 
     /// An axis whose span is widened to the labels around it, about `count` of them.
-    pub(super) fn widened(span: [f64; 2], sides: [f64; 2], steps: Steps, count: f64) -> Self {
+    pub fn widened(span: [f64; 2], sides: [f64; 2], steps: Steps, count: f64) -> Self {
         let [low, high] = span;
         if steps == Steps::Decades {
             let first = low.log10().floor();
@@ -50,7 +52,7 @@ impl Axis {
     }
 
     /// Where a value lies; none where a logarithmic axis has no place for it.
-    pub(super) fn at(&self, value: f64) -> Option<f64> {
+    pub fn at(&self, value: f64) -> Option<f64> {
         let [low, high] = self.span;
         let share = match self.steps {
             Steps::Decades => (value > 0.0).then(|| (value / low).ln() / (high / low).ln())?,
@@ -59,8 +61,18 @@ impl Axis {
         Some(self.sides[0] + share * (self.sides[1] - self.sides[0]))
     }
 
+    /// The value that lies at a place: the inverse of [`Self::at`].
+    pub fn value_at(&self, place: f64) -> f64 {
+        let share = (place - self.sides[0]) / (self.sides[1] - self.sides[0]);
+        let [low, high] = self.span;
+        match self.steps {
+            Steps::Decades => low * (high / low).powf(share),
+            _ => low + share * (high - low),
+        }
+    }
+
     /// Labels at round values, about `count` of them.
-    pub(super) fn ticks(&self, count: f64) -> Vec<Tick> {
+    pub fn ticks(&self, count: f64) -> Vec<Tick> {
         match self.steps {
             Steps::Decades => self.decades(count),
             _ => {
@@ -193,6 +205,10 @@ mod tests {
         assert_eq!(decades.span, [0.1, 100.0], "widened");
         assert!((decades.at(10.0).unwrap() - 2.0).abs() < 1e-12, "logarithmic");
         assert_eq!([decades.at(0.0), decades.at(-1.0)], [None, None], "no place");
+        for (axis, value) in [(linear, 4.0), (decades, 20.0)] {
+            let place = axis.at(value).expect("a place");
+            assert!((axis.value_at(place) / value - 1.0).abs() < 1e-12, "{value} from its place {place}");
+        }
     }
 
     #[test]
