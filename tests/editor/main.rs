@@ -4,6 +4,7 @@
 mod draw;
 mod files;
 mod list;
+mod paint;
 mod panes;
 mod shapes;
 mod start;

@@ -79,6 +79,7 @@ impl Command {
             Self::SelectNone => "Select none",
             Self::AddMaterial => "Material",
             Self::ReplacePattern(_) | Self::ReplaceMesh(_) => "Replace…",
+            Self::EditPattern => "Edit pattern",
             Self::Tool(Tool::Move) => "Move",
             Self::Tool(Tool::Rotate) => "Rotate",
             Self::Tool(Tool::Scale) => "Scale",
@@ -133,7 +134,11 @@ impl Command {
             Self::Undo | Self::Redo | Self::Duplicate | Self::Delete | Self::SelectAll | Self::SelectNone => {
                 Category::Edit
             }
-            Self::AddLight(_) | Self::ReplacePattern(_) | Self::InsertPreset(_) | Self::List(_) => Category::Light,
+            Self::AddLight(_)
+            | Self::ReplacePattern(_)
+            | Self::EditPattern
+            | Self::InsertPreset(_)
+            | Self::List(_) => Category::Light,
             Self::AddSurface(_) | Self::ReplaceMesh(_) | Self::AddMaterial | Self::AddPlot(_) => Category::Add,
             Self::Tool(_)
             | Self::Outline(_)

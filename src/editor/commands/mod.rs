@@ -59,6 +59,8 @@ pub enum Command {
     AddLight(LightKind),
     /// Give the light of that name another pattern.
     ReplacePattern(String),
+    /// Paint the pattern of the selected light.
+    EditPattern,
     /// Add the lights of a preset.
     InsertPreset(Preset),
     /// Add a surface.
@@ -125,6 +127,7 @@ impl Command {
             Self::Redo => session.history.redo_label().is_some(),
             Self::Duplicate | Self::Delete | Self::Focus | Self::SelectNone => session.selection.primary().is_some(),
             Self::List(command) => command.enabled(session),
+            Self::EditPattern => session.selection.primary().is_some_and(|item| item.has_pattern(session.scene())),
             _ => true,
         }
     }
@@ -173,6 +176,7 @@ impl Command {
                 None => app.choose_pattern(ctx, None),
             },
             Self::ReplacePattern(light) => app.choose_pattern(ctx, Some(light)),
+            Self::EditPattern => session.wants_painter = true,
             Self::InsertPreset(preset) => app.insert_preset(preset),
             Self::AddSurface(kind) => match kind.shape() {
                 Some(shape) => session.add_surface(shape),

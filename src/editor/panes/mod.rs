@@ -8,6 +8,7 @@ mod look;
 mod menu;
 mod outliner;
 mod overlays;
+mod painter;
 mod plots;
 mod problems;
 mod variants;
@@ -16,12 +17,13 @@ pub use inspector::Inspector;
 pub use menu::{menu_bar, toolbar};
 pub use outliner::Outliner;
 pub use overlays::{Choice, Messages, ask_unsaved, keys};
+pub use painter::Painter;
 pub use plots::Plots;
 pub use variants::Variants;
 
 use egui::{Button, Color32, Response, Ui, WidgetText, vec2};
 use egui_material_icons::MaterialIcon;
-use egui_tiles::{Container, Linear, LinearDir, SimplificationOptions, TileId, Tiles, Tree, UiResponse};
+use egui_tiles::{Container, Linear, LinearDir, SimplificationOptions, Tile, TileId, Tiles, Tree, UiResponse};
 
 use super::commands::Command;
 use super::session::Session;
@@ -38,6 +40,8 @@ pub enum Pane {
     Inspector,
     /// Curves at a probe.
     Plots,
+    /// The pattern of a textured light.
+    Painter,
     /// What is wrong.
     Problems,
     /// Named states of the lights.
@@ -55,6 +59,8 @@ pub struct Views {
     pub inspector: Inspector,
     /// Curves at a probe.
     pub plots: Plots,
+    /// The pattern of a textured light.
+    pub painter: Painter,
     /// Named states of the lights.
     pub variants: Variants,
 }
@@ -79,12 +85,24 @@ pub fn default_layout() -> Tree<Pane> {
     let outliner = tab(&mut tiles, &[Pane::Outliner]);
     let variants = tab(&mut tiles, &[Pane::Variants]);
     let viewport = tab(&mut tiles, &[Pane::Viewport]);
-    let below = tab(&mut tiles, &[Pane::Plots, Pane::Problems]);
+    let below = tab(&mut tiles, &[Pane::Plots, Pane::Painter, Pane::Problems]);
     let inspector = tab(&mut tiles, &[Pane::Inspector]);
     let middle = insert(&mut tiles, LinearDir::Vertical, &[(viewport, 0.6), (below, 0.4)]);
     let left = insert(&mut tiles, LinearDir::Vertical, &[(outliner, 0.75), (variants, 0.25)]);
     let root = insert(&mut tiles, LinearDir::Horizontal, &[(left, 0.225), (middle, 0.535), (inspector, 0.24)]);
     Tree::new(egui::Id::unique("panes"), root, tiles)
+}
+
+/// Bring a pane to the front; one that is nowhere comes beside the plots.
+pub fn reveal(layout: &mut Tree<Pane>, pane: Pane) {
+    if layout.tiles.find_pane(&pane).is_none() {
+        let beside = layout.tiles.find_pane(&Pane::Plots).and_then(|plots| layout.tiles.parent_of(plots));
+        let tile = layout.tiles.insert_pane(pane);
+        if let Some(beside) = beside.or(layout.root) {
+            layout.move_tile_to_container(tile, beside, usize::MAX, false);
+        }
+    }
+    layout.make_active(|_, tile| matches!(tile, Tile::Pane(other) if *other == pane));
 }
 
 fn insert(tiles: &mut Tiles<Pane>, dir: LinearDir, shares: &[(TileId, f32)]) -> TileId {
@@ -107,6 +125,7 @@ impl egui_tiles::Behavior<Pane> for Panes<'_> {
             Pane::Outliner => self.commands.extend(self.views.outliner.show(ui, self.session)),
             Pane::Inspector => self.commands.extend(self.views.inspector.show(ui, self.session)),
             Pane::Plots => self.commands.extend(self.views.plots.show(ui, self.session)),
+            Pane::Painter => self.commands.extend(self.views.painter.show(ui, self.session)),
             Pane::Problems => problems::show(ui, self.session),
             Pane::Variants => self.commands.extend(self.views.variants.show(ui, self.session)),
         }
@@ -119,6 +138,7 @@ impl egui_tiles::Behavior<Pane> for Panes<'_> {
             Pane::Outliner => "Outliner",
             Pane::Inspector => "Inspector",
             Pane::Plots => "Plots",
+            Pane::Painter => "Painter",
             Pane::Problems => "Problems",
             Pane::Variants => "Variants",
         }
