@@ -184,6 +184,9 @@ impl App {
                 self.views.problems.update(&self.session);
                 let mut panes = Panes { session: &mut self.session, views: &mut self.views, commands: Vec::new() };
                 self.layout.ui(&mut panes, ui);
+                if panes.views.painter.end_frame(panes.session) {
+                    ui.ctx().request_repaint();
+                }
                 panes.commands
             })
             .inner
@@ -265,6 +268,10 @@ impl eframe::App for App {
         chosen.append(&mut self.session.asked);
         for command in chosen {
             command.run(self, &ctx);
+        }
+        if std::mem::take(&mut self.session.wants_painter) {
+            panes::reveal(&mut self.layout, Pane::Painter);
+            ctx.request_repaint();
         }
         self.overlays(&ctx);
         self.update_title(&ctx);

@@ -7,7 +7,7 @@ use std::sync::LazyLock;
 use glam::{DVec2, DVec3};
 
 use super::session::{Item, Session};
-use crate::light::pattern::Pattern;
+use crate::light::pattern::{Image, Pattern};
 use crate::light::{Light, Polygon, Shape, Textured};
 use crate::scene::{self, Plot, PlotKind, PlotQuantity, Scene};
 use crate::surface::{self, Material, Mesh, ReflectionModel, Surface};
@@ -35,6 +35,23 @@ impl Session {
         let replaced = &self.scene().lights[index];
         scene::keep_apart(&mut light, self.scene().all_lights().filter(|other| !std::ptr::eq(*other, replaced)));
         self.edit("Replace pattern", |scene| scene.lights[index] = light);
+    }
+
+    /// Give a light what was painted over its pattern.
+    pub fn repaint_pattern(&mut self, index: usize, image: Image, step: &str) {
+        let Some(mut light) = self.scene().lights.get(index).cloned() else { return };
+        let Shape::Textured(textured) = &mut light.shape else { return };
+        textured.pattern = scene::painted_pattern(image, &textured.pattern, self.path.as_deref());
+        let others = self.scene().all_lights().enumerate().filter(|(i, _)| *i != index);
+        let others: Vec<Light> = others.map(|(_, other)| other.clone()).collect();
+        scene::keep_apart(&mut light, &others);
+        self.edit(step, |scene| scene.lights[index] = light);
+    }
+
+    /// Add a square light of a generated image.
+    pub fn add_painted_light(&mut self, image: Image) {
+        let pattern = scene::painted_pattern(image, &Pattern::unread("pattern.png"), self.path.as_deref());
+        self.add_light(textured(pattern));
     }
 
     /// Give the surface of that name another mesh.

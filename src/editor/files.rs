@@ -267,8 +267,15 @@ impl App {
     }
 
     fn write(&mut self, ctx: &egui::Context, path: &Path, then: Option<Then>) {
-        let source = self.session.path.as_deref().unwrap_or(path);
-        match scene::save_as(self.session.scene(), path, source) {
+        let source = self.session.path.clone().unwrap_or_else(|| path.to_owned());
+        let saved = self.session.history.saved().clone();
+        let saved = (source == path).then_some(&*saved);
+        // Painted patterns get their files, so that what is saved is what is open.
+        let painted = scene::with_painted_files(self.session.scene(), path, saved);
+        if let Ok(Some(painted)) = painted {
+            self.session.history.amend(|scene| *scene = painted);
+        }
+        match scene::save_over(self.session.scene(), path, &source, saved) {
             Ok(()) => {
                 self.session.history.mark_saved();
                 self.session.path = Some(path.to_owned());

@@ -15,6 +15,8 @@ use super::plotting::PlotState;
 use super::tools::outline::Outline;
 use super::tools::work_plane::WorkPlane;
 use super::variants;
+use crate::light::pattern::Image;
+use crate::light::{Light, Shape};
 use crate::scene::{Camera, History, Scene};
 use crate::shading::Method;
 
@@ -143,16 +145,49 @@ pub struct Session {
     pub under_pointer: Option<Item>,
     /// The user's own presets are others than those that were read.
     pub library_changed: bool,
+    /// A pattern that is being painted.
+    pub live: Option<LivePattern>,
+    /// The painter shall come to the front; the window takes the request.
+    pub wants_painter: bool,
+    /// The pane under the pointer has keys of its own, which are not commands' keys there; set anew in every frame.
+    pub pane_keys: bool,
     solo: BTreeSet<String>,
     shown: Vec<Shown>,
 }
 
-/// The scene with a variant's lights and solo applied, and what it was made from.
+/// What a light shows while its pattern is being painted.
+#[derive(Clone, Debug)]
+pub struct LivePattern {
+    /// The light's name.
+    pub light: String,
+    /// What is painted, in few texels.
+    pub image: Image,
+}
+
+impl LivePattern {
+    /// Give it to the light that it is of.
+    fn show(&self, lights: &mut [Light]) {
+        let light = lights.iter_mut().find(|light| light.name == self.light);
+        if let Some(Shape::Textured(textured)) = light.map(|light| &mut light.shape) {
+            textured.pattern.image = self.image.clone();
+        }
+    }
+}
+
+impl PartialEq for LivePattern {
+    /// Images are told apart by identity.
+    fn eq(&self, other: &Self) -> bool {
+        self.light == other.light && self.image.is_same(&other.image)
+    }
+}
+
+/// The scene with a variant's lights, solo and what is being painted applied, and what it was made from.
 #[derive(Debug)]
 struct Shown {
     source: Arc<Scene>,
     variant: Option<usize>,
     solo: BTreeSet<String>,
+    live: Option<LivePattern>,
     scene: Arc<Scene>,
 }
 
@@ -250,6 +285,12 @@ impl Item {
         }
     }
 
+    /// Whether it is a light with a pattern, which can be painted.
+    pub fn has_pattern(self, scene: &Scene) -> bool {
+        let Self::Light(i) = self else { return false };
+        scene.lights.get(i).is_some_and(|light| matches!(light.shape, Shape::Textured(_)))
+    }
+
     /// Its name in the scene.
     pub fn name(self, scene: &Scene) -> Option<&str> {
         match self {
@@ -327,6 +368,9 @@ impl Session {
             asked: Vec::new(),
             under_pointer: None,
             library_changed: false,
+            live: None,
+            wants_painter: false,
+            pane_keys: false,
             solo: BTreeSet::new(),
             shown: Vec::new(),
         }
@@ -348,7 +392,8 @@ impl Session {
         self.history.scene()
     }
 
-    /// The document as it is shown: where lights are soloed, all others are muted.
+    /// The document as it is shown: where lights are soloed, all others are muted; a pattern that is being painted is
+    /// the light's.
     ///
     /// The same `Arc` is returned until something changes.
     pub fn shown(&mut self) -> Arc<Scene> {
@@ -364,10 +409,10 @@ impl Session {
     fn shown_with(&mut self, variant: Option<usize>) -> Arc<Scene> {
         let source = Arc::clone(self.history.scene());
         self.solo.retain(|name| source.all_lights().any(|light| light.name == *name));
-        let solo = &self.solo;
-        self.shown.retain(|shown| Arc::ptr_eq(&shown.source, &source) && shown.solo == *solo);
+        let (solo, live) = (&self.solo, &self.live);
+        self.shown.retain(|shown| Arc::ptr_eq(&shown.source, &source) && shown.solo == *solo && shown.live == *live);
         let lights = variant.and_then(|index| source.variants.get(index)).map(|variant| &variant.lights);
-        if solo.is_empty() && lights.is_none() {
+        if solo.is_empty() && lights.is_none() && live.is_none() {
             return source;
         }
         if let Some(shown) = self.shown.iter().find(|shown| shown.variant == variant) {
@@ -376,12 +421,15 @@ impl Session {
         let mut scene = Scene::clone(&source);
         if let Some(lights) = lights {
             scene.lights.clone_from(lights);
+        } else if let Some(live) = live {
+            live.show(&mut scene.lights);
         }
         for light in scene.lights.iter_mut().filter(|_| !solo.is_empty()) {
             light.muted |= !solo.contains(&light.name);
         }
         let scene = Arc::new(scene);
-        self.shown.push(Shown { source, variant, solo: solo.clone(), scene: Arc::clone(&scene) });
+        let (solo, live) = (solo.clone(), live.clone());
+        self.shown.push(Shown { source, variant, solo, live, scene: Arc::clone(&scene) });
         scene
     }
 

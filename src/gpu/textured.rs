@@ -1,8 +1,10 @@
 //! A pattern's parts as the preview's exact method walks through them.
 
+use std::sync::LazyLock;
+
 use super::types::f32_of;
 use crate::light::pattern::{Channel, Span};
-use crate::math::interpolation::CHEBYSHEV;
+use crate::math::interpolation::{CHEBYSHEV, NODES};
 
 /// Numbers of a part in the table: its place, what follows, its flux, two unused, and the weights.
 const PART: usize = 24;
@@ -48,13 +50,16 @@ fn push(channel: &Channel, texels_of_leaf: usize, columns: Span, rows: Span, num
     }
     let first = numbers.len();
     numbers.extend([columns.lo, rows.lo, columns.hi, rows.hi, 0.0, flux, 0.0, 0.0].map(f32_of));
+    // By columns, then by rows.
+    let mut halfway = [[0.0; GPU_NODES]; NODES];
+    for (sums, weights) in halfway.iter_mut().zip(&weights) {
+        add_fewer(sums, weights);
+    }
     let mut fewer = [[0.0; GPU_NODES]; GPU_NODES];
-    for (of_row, weights) in CHEBYSHEV.nodes.map(basis).iter().zip(&weights) {
-        for (of_column, weight) in CHEBYSHEV.nodes.map(basis).iter().zip(weights) {
-            for (sums, row) in fewer.iter_mut().zip(of_row) {
-                for (sum, column) in sums.iter_mut().zip(of_column) {
-                    *sum += row * column * weight;
-                }
+    for (basis, row) in BASES.iter().zip(&halfway) {
+        for (sums, share) in fewer.iter_mut().zip(basis) {
+            for (sum, weight) in sums.iter_mut().zip(row) {
+                *sum += share * weight;
             }
         }
     }
@@ -71,6 +76,18 @@ fn push(channel: &Channel, texels_of_leaf: usize, columns: Span, rows: Span, num
     // Whole numbers below 2²⁴ are exact.
     numbers[first + 4] = f32_of((numbers.len() / PART) as f64);
 }
+
+/// The weights of a row on fewer nodes.
+fn add_fewer(sums: &mut [f64; GPU_NODES], weights: &[f64; NODES]) {
+    for (basis, weight) in BASES.iter().zip(weights) {
+        for (sum, share) in sums.iter_mut().zip(basis) {
+            *sum += share * weight;
+        }
+    }
+}
+
+/// [`basis`] at the nodes of the weights.
+static BASES: LazyLock<[[f64; GPU_NODES]; NODES]> = LazyLock::new(|| CHEBYSHEV.nodes.map(basis));
 
 /// The Lagrange polynomials of four Chebyshev nodes at x.
 fn basis(x: f64) -> [f64; GPU_NODES] {

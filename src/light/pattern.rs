@@ -1,5 +1,8 @@
 //! The pattern of a textured light: its image, and the file that it comes from.
 
+pub mod code;
+pub mod pack;
+pub mod paint;
 mod spread;
 
 pub use spread::Span;
@@ -12,6 +15,7 @@ use glam::DVec3;
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
+use self::code::single;
 use self::spread::{Fluxes, Spread};
 use crate::contents::Contents;
 use crate::math::interpolation::{Grid, even_weights};
@@ -154,11 +158,6 @@ impl Channel {
     }
 }
 
-#[expect(clippy::cast_possible_truncation, reason = "texels are kept in single precision")]
-fn single(value: f64) -> f32 {
-    value as f32
-}
-
 impl PartialEq for Image {
     /// Texel by texel, but for images that share their texels.
     fn eq(&self, other: &Self) -> bool {
@@ -180,6 +179,12 @@ impl Image {
             Self::Grey(channel) => DVec3::splat(channel.value(u, v)),
             Self::Color(channels) => DVec3::from_array(channels.each_ref().map(|channel| channel.value(u, v))),
         }
+    }
+
+    /// Whether these are the very same texels.
+    pub fn is_same(&self, other: &Self) -> bool {
+        let (a, b) = (self.channels(), other.channels());
+        a.len() == b.len() && a.iter().zip(b).all(|(a, b)| Arc::ptr_eq(a, b))
     }
 
     /// The channels: one, or red, green and blue.

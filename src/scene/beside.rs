@@ -6,7 +6,8 @@ use std::io::{self, Read};
 use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
 
-use super::save::{SaveError, create_file};
+use super::painted::{is_known, is_own};
+use super::save::{SaveError, create_file, replace_file};
 use super::{Problem, Scene};
 use crate::contents::Contents;
 use crate::light::pattern::{Image, Pattern};
@@ -113,11 +114,11 @@ pub(super) fn mesh_path(surface: usize) -> super::Path {
     super::Path::default().key("surface").index(surface).key("shape").key("mesh").key("file")
 }
 
-fn pattern_of(light: &Light) -> Option<&Pattern> {
+pub(super) fn pattern_of(light: &Light) -> Option<&Pattern> {
     if let light::Shape::Textured(textured) = &light.shape { Some(&textured.pattern) } else { None }
 }
 
-fn pattern_mut(light: &mut Light) -> Option<&mut Pattern> {
+pub(super) fn pattern_mut(light: &mut Light) -> Option<&mut Pattern> {
     if let light::Shape::Textured(textured) = &mut light.shape { Some(&mut textured.pattern) } else { None }
 }
 
@@ -272,15 +273,16 @@ pub fn keep_mesh_apart(surface: &mut Surface, others: &[Surface]) {
     mesh.file = free_name(&mesh.file, |file| others().any(|other| other.file == file && other.triangles != *triangles));
 }
 
-fn free_name(file: &str, is_taken: impl Fn(&str) -> bool) -> String {
+pub(super) fn free_name(file: &str, is_taken: impl Fn(&str) -> bool) -> String {
     let names = (1..).map(|number| numbered(&PathBuf::from(file), number));
     names.into_iter().find(|name| !is_taken(name)).unwrap_or_default()
 }
 
-/// Put the files that are not there yet beside the scene's file `path`.
-pub(super) fn write_missing(scene: &Scene, path: &Path) -> Result<(), SaveError> {
+/// Put the files that are not there yet beside the scene's file `path`, and those of its own folder that have changed
+/// since the scene was `saved` there.
+pub(super) fn write_missing(scene: &Scene, path: &Path, saved: Option<&Scene>) -> Result<(), SaveError> {
     for Named { file, contents, holds, .. } in named(scene) {
-        write(file, contents, folder_of(path)).map_err(|cause| SaveError::Beside {
+        write(file, contents, path, saved).map_err(|cause| SaveError::Beside {
             file: path.to_owned(),
             noun: holds.noun(),
             beside: folder_of(path).join(file),
@@ -290,9 +292,13 @@ pub(super) fn write_missing(scene: &Scene, path: &Path) -> Result<(), SaveError>
     Ok(())
 }
 
-fn write(file: &str, contents: &Contents, folder: &Path) -> io::Result<()> {
+fn write(file: &str, contents: &Contents, scene: &Path, saved: Option<&Scene>) -> io::Result<()> {
+    let folder = folder_of(scene);
     match read_file(folder, file) {
         Ok(bytes) if bytes == *contents.0 => Ok(()),
+        Ok(bytes) if is_own(file, scene) && is_known(file, &bytes, saved) => {
+            replace_file(&folder.join(file), &contents.0)
+        }
         Ok(_) => Err(io::Error::other("there is another file of that name; rename one of the two")),
         Err(error) if error.kind() == io::ErrorKind::NotFound => {
             if contents.0.is_empty() {

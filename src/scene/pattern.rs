@@ -4,11 +4,12 @@ use std::io::{self, Cursor};
 use std::path::Path;
 use std::sync::Arc;
 
-use image::{DynamicImage, ImageDecoder, ImageFormat, ImageReader, Limits};
+use image::{DynamicImage, ExtendedColorType, ImageDecoder, ImageFormat, ImageReader, ImageResult, Limits};
 
 use super::beside::{self, Imported};
 use super::{Problem, Scene};
 use crate::contents::Contents;
+use crate::light::pattern::code::{self, linear_from_srgb, single};
 use crate::light::pattern::{Channel, Image, Pattern};
 
 /// Patterns have at most this many columns, and as many rows.
@@ -181,12 +182,38 @@ fn decoded<T: Copy + Into<u16>>(codes: &[T], stride: usize, colors: usize, white
     (0..colors).map(|color| codes.chunks_exact(stride).map(|texel| value(texel, color)).collect()).collect()
 }
 
-#[expect(clippy::cast_possible_truncation, reason = "texels are kept in single precision")]
-fn single(value: f64) -> f32 {
-    value as f32
-}
-
-/// The inverse of the sRGB encoding (IEC 61966-2-1).
-fn linear_from_srgb(code: f64) -> f64 {
-    if code <= 0.04045 { code / 12.92 } else { ((code + 0.055) / 1.055).powf(2.4) }
+/// A file that holds exactly an image's texels, and the extension that it should have: a PNG of 8 or of 16 bits if that
+/// can, else an EXR.
+pub(super) fn encode(image: &Image) -> ImageResult<(Vec<u8>, &'static str)> {
+    let channels: Vec<&[f32]> = image.channels().iter().map(|channel| channel.texels()).collect();
+    let [width, height] = image.channels()[0].size();
+    let write = |samples: &[u8], color: ExtendedColorType, format: ImageFormat| -> ImageResult<Vec<u8>> {
+        let mut file = Cursor::new(Vec::new());
+        image::write_buffer_with_format(&mut file, samples, width, height, color, format)?;
+        Ok(file.into_inner())
+    };
+    let values = (0..channels[0].len()).flat_map(|i| channels.iter().map(move |channel| channel[i]));
+    let codes: Option<Vec<u16>> = values.map(code::code_of).collect();
+    let is_grey = channels.len() == 1;
+    let Some(codes) = codes else {
+        // EXR files have three channels for the reader, whatever they show.
+        let rgb = (0..channels[0].len()).flat_map(|i| (0..3).map(move |c| (i, c)));
+        let samples: Vec<u8> = rgb.flat_map(|(i, c)| channels[c.min(channels.len() - 1)][i].to_ne_bytes()).collect();
+        return Ok((write(&samples, ExtendedColorType::Rgb32F, ImageFormat::OpenExr)?, "exr"));
+    };
+    // A code c of 8 bits is the code 257 c of 16.
+    let short: Option<Vec<u8>> =
+        codes.iter().map(|code| if code % 257 == 0 { u8::try_from(code / 257).ok() } else { None }).collect();
+    let file = match short {
+        Some(samples) => {
+            let color = if is_grey { ExtendedColorType::L8 } else { ExtendedColorType::Rgb8 };
+            write(&samples, color, ImageFormat::Png)?
+        }
+        None => {
+            let samples: Vec<u8> = codes.iter().flat_map(|code| code.to_ne_bytes()).collect();
+            let color = if is_grey { ExtendedColorType::L16 } else { ExtendedColorType::Rgb16 };
+            write(&samples, color, ImageFormat::Png)?
+        }
+    };
+    Ok((file, "png"))
 }

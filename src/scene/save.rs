@@ -59,12 +59,26 @@ pub fn save(scene: &Scene, path: impl AsRef<Path>) -> Result<(), SaveError> {
 /// Patterns and meshes go along: where the new folder has no file of one's name, it is written there. Another file of that
 /// name is not replaced; then nothing is saved.
 pub fn save_as(scene: &Scene, path: impl AsRef<Path>, source: impl AsRef<Path>) -> Result<(), SaveError> {
+    save_over(scene, path, source, None)
+}
+
+/// [`save_as`] for a scene that was loaded from or saved to `path` before, as `saved`: painted patterns replace what
+/// they were then ([`super::with_painted_files`]).
+pub fn save_over(
+    scene: &Scene,
+    path: impl AsRef<Path>,
+    source: impl AsRef<Path>,
+    saved: Option<&Scene>,
+) -> Result<(), SaveError> {
     let path = path.as_ref();
+    let painted = super::with_painted_files(scene, path, saved)
+        .map_err(|cause| SaveError::Write { file: path.to_owned(), cause: io::Error::other(cause) })?;
+    let scene = painted.as_ref().unwrap_or(scene);
     let problems = validate(scene);
     if !problems.is_empty() {
         return Err(SaveError::Invalid { file: path.to_owned(), problems });
     }
-    beside::write_missing(scene, path)?;
+    beside::write_missing(scene, path, saved)?;
     let old = load::read(source.as_ref()).ok().and_then(|bytes| String::from_utf8(bytes).ok());
     let text = old.map_or_else(|| to_toml(scene), |old| merge(&old, scene));
     replace_file(path, text.as_bytes()).map_err(|cause| SaveError::Write { file: path.to_owned(), cause })

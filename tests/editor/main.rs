@@ -7,6 +7,7 @@ mod files;
 mod gestures;
 mod library;
 mod list;
+mod paint;
 mod panes;
 mod plots;
 mod problems;

@@ -1,6 +1,7 @@
 //! Scene files: loading, refusing, saving, merging, and the presets.
 
 mod merging;
+mod painted;
 mod patterns;
 mod presets;
 mod random;

@@ -143,14 +143,17 @@ pub fn run_shortcuts(app: &mut App, ctx: &egui::Context) {
     let typing = ctx.egui_wants_keyboard_input();
     let in_gesture = app.session.history.in_gesture();
     let drawing = app.session.drawing_in.is_some();
+    // Letters that the pane under the pointer has for itself; it was shown in the last frame.
+    let pane_keys = std::mem::take(&mut app.session.pane_keys);
     let pressed: Vec<&Command> = ctx.input_mut(|input| {
         // Those with more modifiers first, since a key with fewer would match too.
         let mut keyed: Vec<_> = Command::KEYED.iter().filter_map(|c| c.shortcut().map(|s| (c, s))).collect();
         keyed.sort_by_key(|(_, shortcut)| std::cmp::Reverse(shortcut.modifiers.shift));
         // While something is dragged, plain keys belong to the drag.
         let dragging = in_gesture && input.pointer.primary_down();
+        let is_panes = |s: &KeyboardShortcut| pane_keys && s.modifiers.is_none() && s.logical_key.name().len() == 1;
         keyed.retain(|(command, s)| {
-            let free = !dragging || s.modifiers.command;
+            let free = !(dragging && !s.modifiers.command || is_panes(s));
             let typed = typing && !command.works_while_typing() || drawing && begins_dimension(s);
             free && !typed && input.consume_shortcut(s)
         });

@@ -82,6 +82,7 @@ impl Command {
             Self::SelectNone => "Select none",
             Self::AddMaterial => "Material",
             Self::ReplacePattern(_) | Self::ReplaceMesh(_) => "Replace…",
+            Self::EditPattern => "Edit pattern",
             Self::Tool(Tool::Move) => "Move",
             Self::Tool(Tool::Rotate) => "Rotate",
             Self::Tool(Tool::Scale) => "Scale",
@@ -159,6 +160,7 @@ impl Command {
             | Self::Select(_) => Category::Edit,
             Self::AddLight(_)
             | Self::ReplacePattern(_)
+            | Self::EditPattern
             | Self::InsertPreset(_)
             | Self::InsertFile(_)
             | Self::List(_)

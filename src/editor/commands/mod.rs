@@ -67,6 +67,8 @@ pub enum Command {
     AddLight(LightKind),
     /// Give the light of that name another pattern.
     ReplacePattern(String),
+    /// Paint the pattern of the selected light.
+    EditPattern,
     /// Add the lights of a preset.
     InsertPreset(Preset),
     /// Add the lights of a preset in a file.
@@ -155,6 +157,7 @@ impl Command {
             Self::List(command) => command.enabled(session),
             Self::SavePreset | Self::ToggleMute | Self::ToggleSolo => panes::has_lights(session),
             Self::OpenFile(path) | Self::InsertFile(path) => path.exists(),
+            Self::EditPattern => session.selection.primary().is_some_and(|item| item.has_pattern(session.scene())),
             _ => true,
         }
     }
@@ -227,6 +230,7 @@ impl Command {
                 None => app.choose_pattern(ctx, None),
             },
             Self::ReplacePattern(light) => app.choose_pattern(ctx, Some(light)),
+            Self::EditPattern => session.wants_painter = true,
             Self::InsertPreset(preset) => app.insert_preset(preset),
             Self::InsertFile(path) => app.insert_file(&path),
             Self::SavePreset => app.name_preset(),

@@ -12,6 +12,7 @@ mod menu;
 mod messages;
 mod outliner;
 mod overlays;
+mod painter;
 mod palette;
 mod plots;
 mod problems;
@@ -26,6 +27,7 @@ pub use menu::{menu_bar, toolbar};
 pub use messages::Messages;
 pub use outliner::Outliner;
 pub use overlays::{Choice, Recover, ask_recover, ask_unsaved, drop_hint, first_steps};
+pub use painter::Painter;
 pub use palette::{Outcome, Palette};
 pub use plots::{Plots, Work};
 pub use problems::Problems;
@@ -33,7 +35,7 @@ pub use variants::Variants;
 
 use egui::{Button, Color32, Response, Ui, WidgetText, vec2};
 use egui_material_icons::MaterialIcon;
-use egui_tiles::{Container, Linear, LinearDir, SimplificationOptions, TileId, Tiles, Tree, UiResponse};
+use egui_tiles::{Container, Linear, LinearDir, SimplificationOptions, Tile, TileId, Tiles, Tree, UiResponse};
 
 use super::commands::Command;
 use super::library::thumbnails::Thumbnails;
@@ -51,6 +53,8 @@ pub enum Pane {
     Inspector,
     /// Curves at a probe.
     Plots,
+    /// The pattern of a textured light.
+    Painter,
     /// What is wrong.
     Problems,
     /// Named states of the lights.
@@ -67,6 +71,7 @@ impl Pane {
             Self::Outliner => "Outliner",
             Self::Inspector => "Inspector",
             Self::Plots => "Plots",
+            Self::Painter => "Painter",
             Self::Problems => "Problems",
             Self::Variants => "Variants",
             Self::Library => "Library",
@@ -87,6 +92,8 @@ pub struct Views {
     pub plots: Plots,
     /// What is wrong.
     pub problems: Problems,
+    /// The pattern of a textured light.
+    pub painter: Painter,
     /// Named states of the lights.
     pub variants: Variants,
     /// Presets and scenes.
@@ -115,12 +122,24 @@ pub fn default_layout() -> Tree<Pane> {
     let outliner = tab(&mut tiles, &[Pane::Outliner]);
     let variants = tab(&mut tiles, &[Pane::Variants]);
     let viewport = tab(&mut tiles, &[Pane::Viewport]);
-    let below = tab(&mut tiles, &[Pane::Plots, Pane::Library, Pane::Problems]);
+    let below = tab(&mut tiles, &[Pane::Plots, Pane::Painter, Pane::Library, Pane::Problems]);
     let inspector = tab(&mut tiles, &[Pane::Inspector]);
     let middle = insert(&mut tiles, LinearDir::Vertical, &[(viewport, 0.6), (below, 0.4)]);
     let left = insert(&mut tiles, LinearDir::Vertical, &[(outliner, 0.75), (variants, 0.25)]);
     let root = insert(&mut tiles, LinearDir::Horizontal, &[(left, 0.225), (middle, 0.535), (inspector, 0.24)]);
     Tree::new(egui::Id::unique("panes"), root, tiles)
+}
+
+/// Bring a pane to the front; one that is nowhere comes beside the plots.
+pub fn reveal(layout: &mut Tree<Pane>, pane: Pane) {
+    if layout.tiles.find_pane(&pane).is_none() {
+        let beside = layout.tiles.find_pane(&Pane::Plots).and_then(|plots| layout.tiles.parent_of(plots));
+        let tile = layout.tiles.insert_pane(pane);
+        if let Some(beside) = beside.or(layout.root) {
+            layout.move_tile_to_container(tile, beside, usize::MAX, false);
+        }
+    }
+    layout.make_active(|_, tile| matches!(tile, Tile::Pane(other) if *other == pane));
 }
 
 fn insert(tiles: &mut Tiles<Pane>, dir: LinearDir, shares: &[(TileId, f32)]) -> TileId {
@@ -144,6 +163,7 @@ impl egui_tiles::Behavior<Pane> for Panes<'_> {
             Pane::Inspector => self.commands.extend(self.views.inspector.show(ui, self.session)),
             Pane::Plots => self.commands.extend(self.views.plots.show(ui, self.session)),
             Pane::Problems => self.commands.extend(self.views.problems.show(ui, self.session)),
+            Pane::Painter => self.commands.extend(self.views.painter.show(ui, self.session)),
             Pane::Variants => self.commands.extend(self.views.variants.show(ui, self.session)),
             Pane::Library => {
                 let Views { library, thumbnails, .. } = self.views;

@@ -136,6 +136,7 @@ impl Viewport {
     fn paint_picture(&mut self, ui: &Ui, rect: Rect, session: &mut Session) {
         let view = session.view;
         let shown = session.shown_for(&view);
+        let dragging = self.pointer.is_dragging() || session.live.is_some();
         let view = View {
             camera: session.view.camera,
             size: [rect.width(), rect.height()].map(|side| physical(side, ui.ctx().pixels_per_point())),
@@ -143,10 +144,10 @@ impl Viewport {
             exposure_ev: shown.display.exposure_ev,
             show_emitters: session.view.show_emitters,
             shadows: session.view.show_shadows,
-            refine: session.view.refines && !self.pointer.is_dragging(),
+            refine: session.view.refines && !dragging,
         };
         let quiet = ui.input(|input| input.events.is_empty() && input.pointer.time_since_last_movement() > CALM_AFTER);
-        let haste = match self.pointer.is_dragging() {
+        let haste = match dragging {
             true => Haste::Dragging,
             false if quiet => Haste::Calm,
             false => Haste::Acting,

@@ -79,6 +79,9 @@ impl Pointer {
                 let item = hot.map(|(item, _)| item).or(self.hovered);
                 select(session, item, ui.input(|input| input.modifiers));
             }
+            if response.double_clicked() && hot.is_none() {
+                session.wants_painter |= self.hovered.is_some_and(|item| item.has_pattern(session.scene()));
+            }
         }
     }
 

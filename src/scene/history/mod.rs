@@ -163,6 +163,16 @@ impl History {
         !Arc::ptr_eq(&self.current, &self.saved) && *self.current != *self.saved
     }
 
+    /// Change the scene without a step, as saving does to what it names.
+    pub fn amend(&mut self, change: impl FnOnce(&mut Scene)) {
+        change(Arc::make_mut(&mut self.current));
+    }
+
+    /// The scene as it was last saved, or at the start.
+    pub fn saved(&self) -> &Arc<Scene> {
+        &self.saved
+    }
+
     /// The scene as it is now has been saved.
     pub fn mark_saved(&mut self) {
         self.saved = Arc::clone(&self.current);
@@ -321,9 +331,13 @@ mod tests {
 
     #[test]
     fn what_would_take_too_much_memory_forgets_the_oldest_steps() {
+        // Of another shape each, so that they are kept whole.
         let picture = |i: usize| {
             let texels = (0..1 << 22).map(|k| ((k + i) % 7) as f32).collect();
-            Pattern::of_image("a.png", Image::Grey(Arc::new(Channel::new(1 << 11, texels).expect("a picture"))))
+            Pattern::of_image(
+                "a.png",
+                Image::Grey(Arc::new(Channel::new(1 << (10 + i % 2), texels).expect("a picture"))),
+            )
         };
         let mut scene = rich_scene();
         scene.lights[0].shape = Shape::Textured(Textured { size: DVec2::ONE, pattern: picture(0), two_sided: false });

@@ -21,7 +21,7 @@ pub(super) struct Thumbnail {
 pub(super) fn row(ui: &mut Ui, fields: &mut Fields<'_>, light: &str, pattern: &Pattern) {
     row_label(ui, "Pattern");
     ui.vertical(|ui| {
-        if fields.thumbnail.as_ref().is_none_or(|shown| shown.image != pattern.image) {
+        if fields.thumbnail.as_ref().is_none_or(|shown| !shown.image.is_same(&pattern.image)) {
             let texture = ui.ctx().load_texture("pattern", picture(&pattern.image), TextureOptions::LINEAR);
             *fields.thumbnail = Some(Thumbnail { image: pattern.image.clone(), texture });
         }
@@ -33,11 +33,17 @@ pub(super) fn row(ui: &mut Ui, fields: &mut Fields<'_>, light: &str, pattern: &P
         let kind = if pattern.image.channels().len() == 1 { "grey" } else { "colour" };
         ui.monospace(&pattern.file);
         ui.weak(format!("{} × {}, {kind}", channel.width(), channel.height()));
-        let button = egui::Button::new("Replace…").min_size(vec2(70.0, 20.0));
-        let response = ui.add(button).on_hover_text("Choose another PNG, JPEG, EXR or HDR picture");
-        if response.accessible_name("Replace pattern").clicked() {
-            fields.commands.push(Command::ReplacePattern(light.to_owned()));
-        }
+        ui.horizontal(|ui| {
+            let button = |text: &'static str| egui::Button::new(text).min_size(vec2(62.0, 20.0));
+            let response = ui.add(button("Paint…")).on_hover_text("Paint on it with brushes and shapes");
+            if response.accessible_name("Edit pattern").clicked() {
+                fields.commands.push(Command::EditPattern);
+            }
+            let response = ui.add(button("Replace…")).on_hover_text("Choose another PNG, JPEG, EXR or HDR picture");
+            if response.accessible_name("Replace pattern").clicked() {
+                fields.commands.push(Command::ReplacePattern(light.to_owned()));
+            }
+        });
     });
     ui.end_row();
 }

@@ -292,7 +292,8 @@ fn context_menu(ui: &mut Ui, session: &Session, item: Item, asked: &mut Vec<Ask>
     if ui.button("Rename").clicked() {
         asked.push(Ask::StartRenaming(Named::Item(item)));
     }
-    for command in [Command::Duplicate, Command::Delete, Command::Focus] {
+    let paint = item.has_pattern(session.scene()).then_some(Command::EditPattern);
+    for command in paint.into_iter().chain([Command::Duplicate, Command::Delete, Command::Focus]) {
         if ui.button(command.label(session)).clicked() {
             select(asked);
             asked.push(Ask::Command(command));
