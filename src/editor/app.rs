@@ -64,7 +64,9 @@ impl App {
 
     /// Whether work is under way, off this thread, that will change what is shown.
     pub fn is_busy(&self) -> bool {
-        self.files.is_waiting() || self.views.plots.is_busy()
+        self.files.is_waiting()
+            || self.views.plots.is_busy()
+            || self.views.viewport.as_ref().is_some_and(Viewport::is_busy)
     }
 
     /// How often the viewport's picture was redone, by steps; none without a device to draw on.

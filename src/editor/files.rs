@@ -6,7 +6,7 @@ use super::app::App;
 use super::dialogs::{Answer, Reply};
 use super::edits;
 use super::presets::Preset;
-use super::session::{Session, ViewState};
+use super::session::Session;
 use crate::scene::{self, Scene};
 use crate::surface::Shape;
 
@@ -199,7 +199,7 @@ impl App {
         self.session.notices = old.notices;
         self.session.work_plane = old.work_plane;
         self.session.outline = old.outline;
-        self.session.view = ViewState { camera: self.session.view.camera, ..old.view };
+        self.session.look_like(old.view, old.views);
     }
 
     fn ask_where(&mut self, ctx: &egui::Context, then: Option<Then>) {

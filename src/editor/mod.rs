@@ -1,7 +1,7 @@
 //! The window.
 //!
 //! [`app::App`] puts it together. The document and all that is selected and shown is a [`Session`]; menu, keys and
-//! toolbar share one list of [`commands`]; files are chosen through [`dialogs`].
+//! toolbar share one list of [`commands`]; files are chosen through [`dialogs`]; [`views`] has how viewports look at the scene.
 
 pub mod app;
 pub mod commands;
@@ -17,6 +17,7 @@ pub mod theme;
 pub mod tools;
 pub mod variants;
 pub mod viewport;
+pub mod views;
 
 mod edits;
 

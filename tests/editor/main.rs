@@ -8,4 +8,5 @@ mod panes;
 mod shapes;
 mod start;
 mod viewport;
+mod views;
 mod window;

@@ -60,6 +60,7 @@ impl Command {
             Self::AddPlot(kind) => upper_first(edits::kind_name(*kind)),
             Self::Method(method) => method.to_string(),
             Self::List(command) => command.label(session),
+            Self::ViewMode(mode) => mode.label().to_owned(),
             Self::ToggleTheme => "Switch dark/light theme".to_owned(),
             _ => self.fixed_label().to_owned(),
         }
@@ -90,6 +91,12 @@ impl Command {
             Self::Tool(Tool::Textured) => "Draw textured rectangle",
             Self::Tool(Tool::Outline) => "Draw outline",
             Self::NextPlane => "Next work plane",
+            Self::Viewports(2) => "Two viewports",
+            Self::Viewports(4) => "Four viewports",
+            Self::Viewports(_) => "One viewport",
+            Self::LinkViews => "Link cameras",
+            Self::AutoExposure => "Auto exposure",
+            Self::ToggleMeasure => "Measure illuminance",
             Self::Focus => "Focus selection",
             Self::FrameAll => "Show all",
             Self::ResetView => "View through scene camera",
@@ -116,6 +123,10 @@ impl Command {
             Self::Tool(Tool::Place(place)) => Some(place.hint()),
             Self::ToggleAxes => Some("Handles move and turn along the selection's own axes"),
             Self::Outline(kind) => Some(kind.hint()),
+            Self::ViewMode(mode) => Some(mode.hint()),
+            Self::LinkViews => Some("All viewports look through the same camera"),
+            Self::AutoExposure => Some("All but the brightest 1 % of the picture shows without clipping"),
+            Self::ToggleMeasure => Some("Least, mean and greatest illuminance and uniformity over a rectangle"),
             _ => None,
         }
     }
@@ -143,6 +154,11 @@ impl Command {
             | Self::Pivot(_)
             | Self::NextPivot => Category::Tool,
             Self::Method(_)
+            | Self::ViewMode(_)
+            | Self::Viewports(_)
+            | Self::LinkViews
+            | Self::AutoExposure
+            | Self::ToggleMeasure
             | Self::Focus
             | Self::FrameAll
             | Self::ResetView
