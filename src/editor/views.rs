@@ -186,10 +186,14 @@ impl Views {
         self.count = if matches!(count, 2 | MOST) { count } else { 1 };
         self.linked = self.count < MOST;
         for index in self.known..self.count {
-            let camera = if self.count == MOST { from_an_axis(&view.camera, index) } else { view.camera };
-            self.states[index] = ViewState { camera, ..*view };
+            self.states[index] = *view;
             if self.count == 2 && view.mode == ViewMode::Picture {
                 self.states[index].method = view.against;
+            }
+        }
+        if self.known < MOST && self.count == MOST {
+            for index in 1..MOST {
+                self.states[index].camera = from_an_axis(&view.camera, index);
             }
         }
         self.known = self.known.max(self.count);

@@ -261,10 +261,10 @@ mod tests {
 
     #[test]
     fn a_measurement_is_told_in_numbers_with_units() {
-        let found = Measured { grid: [7, 5], least: 50.0, mean: 200.0, greatest: 400.0 };
+        let found = Measured { grid: [7, 5], least: 50.0, mean: 200.0, greatest: 500.0 };
         let (extent, spread) = told(&found);
-        assert_eq!(extent, "E  min 50   mean 200   max 400 lx", "extent");
-        assert_eq!(spread, "U0 0.25   Ud 0.13", "spread");
+        assert_eq!(extent, "E  min 50   mean 200   max 500 lx", "extent");
+        assert_eq!(spread, "U0 0.25   Ud 0.10", "spread");
         let rectangle = between(DVec2::ZERO, DVec2::ONE, 0.0);
         let table = copied(&rectangle, &found, Method::Exact);
         assert!(table.contains("U0 min/mean\t0.25\n") && table.contains("points\t7 x 5\n"), "{table}");

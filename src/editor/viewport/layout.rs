@@ -72,7 +72,7 @@ mod tests {
             let places = places(whole, count, [0.4, 0.6]);
             assert_eq!(places.len(), count, "as many as were asked for");
             let area: f32 = places.iter().map(|rect| rect.area()).sum();
-            assert!(area > 0.98 * whole.area() && area < whole.area(), "{count} cover {area}");
+            assert!(area > 0.98 * whole.area() && area < whole.area(), "{count} cover {area}: {places:?}");
             for (i, a) in places.iter().enumerate() {
                 assert!(whole.contains_rect(*a), "{a} is inside");
                 assert!(places[..i].iter().all(|b| !a.intersects(*b)), "{a} is apart from the others");
