@@ -58,8 +58,9 @@ impl Gauge {
 
     /// Measure what the viewport shows; again only where that has changed.
     fn follow(&mut self, ctx: &egui::Context, session: &mut Session) {
+        let view = session.view;
         let request = Request {
-            scene: session.shown(),
+            scene: session.shown_for(&view),
             rectangle: session.measure.rectangle,
             method: session.view.method,
             shadows: session.view.show_shadows,
