@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 
 use common::{Bench, Times};
 use glam::DVec3;
-use softbox::gpu::{Context, Preview, View};
+use softbox::gpu::{Context, Display, Preview, View};
 use softbox::light::{Light, Quantity, Shape};
 use softbox::scene::{Camera, Scene};
 use softbox::shading::Method;
@@ -60,8 +60,16 @@ impl<'a> Layers<'a> {
     fn new(context: &'a Context, shape: &Shape, method: Method, specular: f64) -> Self {
         let scene = scene(shape, specular);
         let camera = scene.camera;
-        let view =
-            View { camera, size: SIZE, method, exposure_ev: 0.0, show_emitters: false, shadows: false, refine: false };
+        let view = View {
+            camera,
+            size: SIZE,
+            method,
+            exposure_ev: 0.0,
+            show_emitters: false,
+            shadows: false,
+            refine: false,
+            display: Display::Picture,
+        };
         let preview = Preview::new(&context.device, &context.queue);
         let mut layers = Self { context, preview, scene, view, moved: Duration::MAX, weighed: Duration::MAX };
         layers.draw();

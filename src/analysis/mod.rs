@@ -8,6 +8,7 @@ mod error_map;
 pub mod figures;
 mod ground;
 mod look;
+mod measure;
 mod pen;
 mod report;
 
@@ -16,5 +17,6 @@ pub use dial::{Dial, MARGIN as DIAL_MARGIN};
 pub use error_map::{Comparison, ErrorMap, Summary, error_map};
 pub use ground::{Extent, Ground};
 pub use look::{Look, Pin, Sheet, Trace, abscissa, interpolated, turns, unit};
+pub use measure::{Measured, Rectangle, measure};
 pub use pen::Pen;
 pub use report::{Deviation, Entry, report, subjects};

@@ -87,7 +87,7 @@ fn on_gpu(scene: &Scene, settings: &Settings) -> anyhow::Result<Film> {
     use anyhow::Context as _;
     use glam::DVec3;
 
-    use crate::gpu::{Context, View, picture};
+    use crate::gpu::{Context, Display, View, picture};
     use crate::shading::Method;
 
     let MethodChoice::Method(method) = settings.choice else {
@@ -109,6 +109,7 @@ fn on_gpu(scene: &Scene, settings: &Settings) -> anyhow::Result<Film> {
         show_emitters: true,
         shadows: settings.shadows != crate::render::Shadows::None,
         refine: settings.samples > 1,
+        display: Display::Picture,
     };
     let pixels = picture(&context, scene, &view)?;
     let radiance = pixels.radiance.iter().map(|rgb| DVec3::from(rgb.map(f64::from))).collect();

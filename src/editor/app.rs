@@ -106,6 +106,7 @@ impl App {
             || self.views.plots.is_busy()
             || self.views.thumbnails.is_busy()
             || self.recovery.is_busy()
+            || self.views.viewport.as_ref().is_some_and(Viewport::is_busy)
     }
 
     /// How often the viewport's picture was redone, by steps; none without a device to draw on.

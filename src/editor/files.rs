@@ -7,7 +7,7 @@ use super::dialogs::{Answer, Reply};
 use super::edits;
 use super::presets::Preset;
 use super::recovery::Offer;
-use super::session::{Notice, Session, ViewState};
+use super::session::{Notice, Session};
 use crate::analysis::Sheet;
 use crate::export::plot::PlotFormat;
 use crate::scene::{self, History, Scene};
@@ -254,7 +254,7 @@ impl App {
         self.session.notices = old.notices;
         self.session.work_plane = old.work_plane;
         self.session.outline = old.outline;
-        self.session.view = ViewState { camera: self.session.view.camera, ..old.view };
+        self.session.look_like(old.view, old.views);
     }
 
     fn ask_where(&mut self, ctx: &egui::Context, then: Option<Then>) {

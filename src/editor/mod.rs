@@ -1,8 +1,8 @@
 //! The window.
 //!
 //! [`app::App`] puts it together. The document and all that is selected and shown is a [`Session`]; menu, keys and
-//! toolbar share one list of [`commands`]; files are chosen through [`dialogs`]. [`library`] has what can be inserted and
-//! opened, [`recovery`] keeps unsaved work.
+//! toolbar share one list of [`commands`]; files are chosen through [`dialogs`]. [`views`] has how viewports look at the
+//! scene, [`library`] what can be inserted and opened; [`recovery`] keeps unsaved work.
 
 pub mod app;
 pub mod commands;
@@ -23,6 +23,7 @@ pub mod theme;
 pub mod tools;
 pub mod variants;
 pub mod viewport;
+pub mod views;
 
 mod drops;
 mod edits;

@@ -7,6 +7,8 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use glam::DVec2;
+
 use super::commands::Command;
 use super::handles::corners::Corner;
 use super::handles::frame::Transform;
@@ -15,10 +17,11 @@ use super::plotting::PlotState;
 use super::tools::outline::Outline;
 use super::tools::work_plane::WorkPlane;
 use super::variants;
+pub use super::views::{ViewMode, ViewState, Views};
+use crate::analysis::Rectangle;
 use crate::light::pattern::Image;
 use crate::light::{Light, Shape};
 use crate::scene::{Camera, History, Scene};
-use crate::shading::Method;
 
 /// One thing in the document, by its place in the scene's lists.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -65,25 +68,6 @@ pub enum Tool {
     Place(Place),
 }
 
-/// How the viewport looks at the scene.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ViewState {
-    /// Starts as the scene's camera and is written back only by [`Session::save_view`].
-    pub camera: Camera,
-    /// By which method lights are shaded.
-    pub method: Method,
-    /// Whether lights are seen themselves.
-    pub show_emitters: bool,
-    /// Surfaces cast shadows.
-    pub show_shadows: bool,
-    /// A picture that stands still is smoothed; where not, its first look stays, which spares a slow machine.
-    pub refines: bool,
-    /// Whether the ground grid is drawn.
-    pub show_grid: bool,
-    /// The place of the variant whose lights are shown; none for the scene's own lights.
-    pub variant: Option<usize>,
-}
-
 /// What the viewport is asked to bring into view; it knows how large it is, so it moves the camera.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Framing {
@@ -91,6 +75,25 @@ pub enum Framing {
     Selection,
     /// Everything.
     All,
+}
+
+/// Where illuminance is measured.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Measure {
+    /// Whether it is, in every viewport; those of illuminance always show it.
+    pub shown: bool,
+    /// On which rectangle.
+    pub rectangle: Rectangle,
+}
+
+impl Measure {
+    /// A rectangle on the ground where a camera looks, about half as large as that is far.
+    pub fn before(camera: &Camera) -> Self {
+        let side = (0.4 * camera.eye.distance(camera.target)).clamp(0.1, 100.0);
+        let side = (2.0 * side).round().max(1.0) / 2.0;
+        let center = camera.target.with_z(0.0);
+        Self { shown: false, rectangle: Rectangle { center, size: DVec2::splat(side) } }
+    }
 }
 
 /// Something to tell the user once.
@@ -117,8 +120,14 @@ pub struct Session {
     pub selection: Selection,
     /// What the mouse does in the viewport.
     pub tool: Tool,
-    /// How the viewport looks at the scene.
+    /// How the active viewport looks at the scene.
     pub view: ViewState,
+    /// The other viewports.
+    pub views: Views,
+    /// Where illuminance is measured.
+    pub measure: Measure,
+    /// The exposure shall be set by what is seen; the active viewport does so when it knows.
+    pub wants_exposure: bool,
     /// What the viewport shall bring into view when it is shown next; it takes the request.
     pub framing: Option<Framing>,
     /// Where lights are drawn.
@@ -199,6 +208,8 @@ pub struct Glance {
     tool: Tool,
     transform: Transform,
     view: ViewState,
+    views: Views,
+    measure: Measure,
 }
 
 impl PartialEq for Glance {
@@ -209,6 +220,8 @@ impl PartialEq for Glance {
             && self.tool == other.tool
             && self.transform == other.transform
             && self.view == other.view
+            && self.views == other.views
+            && self.measure == other.measure
     }
 }
 
@@ -340,21 +353,16 @@ impl ViewState {
 impl Session {
     /// An unmodified document.
     pub fn new(scene: Scene, path: Option<PathBuf>) -> Self {
-        let view = ViewState {
-            camera: scene.camera,
-            method: Method::Exact,
-            show_emitters: true,
-            show_shadows: true,
-            refines: true,
-            show_grid: true,
-            variant: None,
-        };
+        let view = ViewState::new(scene.camera);
         Self {
             history: History::new(scene),
             path,
             selection: Selection::default(),
             tool: Tool::default(),
             view,
+            views: Views::default(),
+            measure: Measure::before(&view.camera),
+            wants_exposure: false,
             framing: None,
             work_plane: WorkPlane::default(),
             transform: Transform::default(),
@@ -384,7 +392,40 @@ impl Session {
             tool: self.tool,
             transform: self.transform,
             view: self.view,
+            views: self.views.clone(),
+            measure: self.measure,
         }
+    }
+
+    /// Make a viewport the one that keys and menus act on.
+    pub fn activate_view(&mut self, index: usize) {
+        self.views.activate(index, &mut self.view);
+    }
+
+    /// Show so many viewports: 1, 2 or 4.
+    pub fn set_view_count(&mut self, count: usize) {
+        self.views.set_count(count, &mut self.view);
+    }
+
+    /// Do something as if that viewport were the active one.
+    pub fn with_view<R>(&mut self, index: usize, act: impl FnOnce(&mut Self) -> R) -> R {
+        let active = self.views.active();
+        self.activate_view(index);
+        let result = act(self);
+        self.activate_view(active);
+        result
+    }
+
+    /// Let linked viewports follow the active one.
+    pub fn link_views(&mut self) {
+        self.views.link(&self.view);
+    }
+
+    /// Look as the viewports of another document did, but through this one's camera.
+    pub fn look_like(&mut self, view: ViewState, views: Views) {
+        let camera = self.scene().camera;
+        (self.view, self.views) = (view, views);
+        self.views.look_afresh(camera, &mut self.view);
     }
 
     /// The document as it is.
@@ -470,6 +511,7 @@ impl Session {
         let after = self.history.scene();
         self.selection.follow(&before, after);
         self.view.follow(&before, after);
+        self.views.for_all(|view| view.follow(&before, after));
     }
 
     /// Whether any light is soloed.

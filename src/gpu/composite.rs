@@ -1,4 +1,4 @@
-//! The last layers: radiance from the light layers, and the picture from radiance.
+//! Radiance and illuminance from the light layers, and their means over samples.
 
 use super::gbuffer::GBuffer;
 use super::pass::{self, Binding, Target};
@@ -16,9 +16,7 @@ use std::sync::Arc;
 /// Radiance, cd/m².
 const RADIANCE: wgpu::TextureFormat = wgpu::TextureFormat::Rgba32Float;
 /// The tone curve's output, 0…1.
-const DISPLAY: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
-/// sRGB-encoded already, which is what egui shows.
-const PICTURE: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
+const DISPLAY: wgpu::TextureFormat = wgpu::TextureFormat::Rgba32Float;
 // Kinds of visible emitters, in `composite.wgsl`; a polygon is 0.
 const SPHERE: u32 = 1;
 const DISK: u32 = 2;
@@ -161,48 +159,43 @@ fn reached(lights: &[Mixed], surfaces: usize) -> Vec<u32> {
     (0..surfaces).map(bits).collect()
 }
 
-/// Samples summed to means, and the picture made of them.
+/// Means over samples by one method.
 #[derive(Debug)]
-pub(crate) struct Picture {
-    size: [u32; 2],
-    /// Radiance of the sample in work; batches are written to each in turn.
-    sample: [Target; 2],
-    /// Mean radiance and mean of the tone curve's output; samples are written to each in turn.
-    means: [[Target; 2]; 2],
+pub(crate) struct Means {
+    /// Mean radiance with illuminance, and mean of the tone curve's output with the share of the samples that see a
+    /// surface; samples are written to each pair in turn.
+    pairs: [[Target; 2]; 2],
     current: usize,
-    picture: Target,
 }
 
-impl Picture {
+/// The sample in work: batches are written to each in turn.
+#[derive(Debug)]
+pub(crate) struct Scratch([Target; 2]);
+
+impl Scratch {
     pub(crate) fn new(device: &wgpu::Device, size: [u32; 2]) -> Self {
-        let target = |format| Target::new(device, size, format);
-        let means = || [target(RADIANCE), target(DISPLAY)];
-        Self {
-            size,
-            sample: [target(RADIANCE), target(RADIANCE)],
-            means: [means(), means()],
-            current: 0,
-            picture: target(PICTURE),
-        }
-    }
-
-    /// Size in pixels.
-    pub(crate) fn size(&self) -> [u32; 2] {
-        self.size
-    }
-
-    /// The mean so far.
-    pub(crate) fn radiance(&self) -> &Target {
-        &self.means[self.current][0]
-    }
-
-    /// Exposed, tone-mapped, encoded.
-    pub(crate) fn picture(&self) -> &Target {
-        &self.picture
+        Self([0, 1].map(|_| Target::new(device, size, RADIANCE)))
     }
 }
 
-/// What makes pictures.
+impl Means {
+    pub(crate) fn new(device: &wgpu::Device, size: [u32; 2]) -> Self {
+        let pair = || [RADIANCE, DISPLAY].map(|format| Target::new(device, size, format));
+        Self { pairs: [pair(), pair()], current: 0 }
+    }
+
+    /// Radiance, cd/m², and illuminance, lx.
+    pub(crate) fn radiance(&self) -> &Target {
+        &self.pairs[self.current][0]
+    }
+
+    /// The tone curve's output, and the share of the samples that see a surface.
+    pub(crate) fn display(&self) -> &Target {
+        &self.pairs[self.current][1]
+    }
+}
+
+/// What makes means.
 #[derive(Debug)]
 pub(crate) struct CompositePass {
     scene_layout: wgpu::BindGroupLayout,
@@ -224,7 +217,7 @@ impl CompositePass {
         let [sum, tone] = Self::sources();
         Self {
             sum: pass::pipeline(device, &sum, "composite", &[&scene_layout, &batch_layout], &[RADIANCE]),
-            tone: pass::pipeline(device, &tone, "tone", &[&tone_layout], &[RADIANCE, DISPLAY, PICTURE]),
+            tone: pass::pipeline(device, &tone, "tone", &[&tone_layout], &[RADIANCE, DISPLAY]),
             scene_layout,
             batch_layout,
             tone_layout,
@@ -237,15 +230,15 @@ impl CompositePass {
         [Module::COMPOSITE, Module::TONE].map(|module| Source::join(&[Module::FULLSCREEN, module]))
     }
 
-    /// Adds sample number `count` (from 1) to the picture; the first starts it anew.
+    /// Adds sample number `count` (from 1) to the means; the first starts them anew.
     pub(crate) fn accumulate(
         &self,
         device: &wgpu::Device,
         encoder: &mut wgpu::CommandEncoder,
-        sample: &Sample,
+        (sample, count): (&Sample, u16),
         mix: &Mix,
-        count: u16,
-        picture: &mut Picture,
+        scratch: &Scratch,
+        means: &mut Means,
     ) {
         let Some(gbuffer) = sample.gbuffer() else { return };
         let scene = self.scene_group(device, gbuffer, mix);
@@ -261,34 +254,34 @@ impl CompositePass {
                 *slot = vec4_of(mixed.weight, f64::from(u8::from(mixed.lit.shadow.is_some())));
             }
             let reached = pass::storage(device, &reached(lights, mix.surfaces));
-            let [before, after] = [batch + 1, batch].map(|i| &picture.sample[i % 2]);
+            let [before, after] = [batch + 1, batch].map(|i| &scratch.0[i % 2]);
             let group = self.batch_group(device, (&uniform, &reached), sample, lights, before);
             pass::run(encoder, &self.sum, &[&scene, &group], &[&after.view]);
         }
         let settings = Tone { exposure: mix.exposure, share: f32::from(count).recip() };
-        self.tone(device, encoder, settings, (batches - 1) % 2, picture);
+        self.tone(device, encoder, settings, &scratch.0[(batches - 1) % 2], means);
     }
 
-    /// Makes the picture, with `picture.sample[latest]` in its means.
+    /// Takes a sample into the means.
     fn tone(
         &self,
         device: &wgpu::Device,
         encoder: &mut wgpu::CommandEncoder,
         settings: Tone,
-        latest: usize,
-        picture: &mut Picture,
+        sample: &Target,
+        means: &mut Means,
     ) {
         let settings = pass::uniform(device, &settings);
-        let [before, after] = [&picture.means[picture.current], &picture.means[1 - picture.current]];
+        let [before, after] = [&means.pairs[means.current], &means.pairs[1 - means.current]];
         let resources = [
-            wgpu::BindingResource::TextureView(&picture.sample[latest].view),
+            wgpu::BindingResource::TextureView(&sample.view),
             wgpu::BindingResource::TextureView(&before[0].view),
             wgpu::BindingResource::TextureView(&before[1].view),
             settings.as_entire_binding(),
         ];
         let group = pass::bind_group(device, &self.tone_layout, &resources);
-        pass::run(encoder, &self.tone, &[&group], &[&after[0].view, &after[1].view, &picture.picture.view]);
-        picture.current = 1 - picture.current;
+        pass::run(encoder, &self.tone, &[&group], &[&after[0].view, &after[1].view]);
+        means.current = 1 - means.current;
     }
 
     fn scene_group(&self, device: &wgpu::Device, gbuffer: &GBuffer, mix: &Mix) -> wgpu::BindGroup {

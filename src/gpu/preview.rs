@@ -5,15 +5,18 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::Context;
-use super::composite::{CompositePass, Mix, Mixed, Picture};
+use super::composite::{CompositePass, Means, Mix, Mixed, Scratch};
+use super::display::DisplayPass;
 use super::gbuffer::Seen;
 use super::lights::LightData;
 use super::lobes;
 use super::occluders::Occluders;
+use super::pass::Target;
 use super::read_back::{self, Pixels, ReadBackError};
 use super::sample::{Lit, Passes, Sample, Wanted};
 use super::shadows::{self, ShadowData};
-use super::types::Lobe;
+use super::survey::{Pending, Survey, SurveyPass};
+use super::types::{Lobe, Shown};
 use super::view::{Stats, View};
 use crate::render::lobe_of;
 use crate::scene::Scene;
@@ -26,8 +29,10 @@ const SAMPLES: u16 = 8;
 ///
 /// Work follows change: the G-buffer is redone when the camera, the size or a surface changes; a light's layer when
 /// that light's emitter, its method, a lobe or the G-buffer changes; its shadow when its emitter, the width of a lobe or
-/// the G-buffer does; the sum of the layers when a weight, a material or
-/// the exposure changes; and nothing at all when nothing did. What to compare is the very data that the shaders read.
+/// the G-buffer does; the sum of the layers when a weight, a material or the exposure changes; the picture of the sums
+/// when what it shows of them does; and nothing at all when nothing did. What to compare is the very data that the
+/// shaders read. Two methods that are compared share the G-buffer, shadows, and the layers of lights that do not have
+/// one of them.
 #[derive(Debug)]
 pub struct Preview {
     passes: Passes,
@@ -38,10 +43,17 @@ pub struct Preview {
     centred: Sample,
     /// Off the centres: what smooths a still picture.
     jittered: Sample,
-    mix: Option<Mix>,
-    picture: Picture,
-    /// In the picture's mean.
+    /// By the view's method, and by the one that it is compared with.
+    mixes: Vec<Mix>,
+    scratch: Scratch,
+    means: [Option<Means>; 2],
+    /// In the means.
     samples: u16,
+    display_pass: DisplayPass,
+    shown: Option<Shown>,
+    picture: Target,
+    survey_pass: SurveyPass,
+    survey: Option<Pending>,
     /// Every layer and shadow has been through all its stages.
     is_refined: bool,
     /// Bands that a stage is cut into.
@@ -58,9 +70,15 @@ impl Preview {
             occluders: None,
             centred: Sample::default(),
             jittered: Sample::default(),
-            mix: None,
-            picture: Picture::new(device, [1, 1]),
+            mixes: Vec::new(),
+            scratch: Scratch::new(device, [1, 1]),
+            means: [None, None],
             samples: 0,
+            display_pass: DisplayPass::new(device),
+            shown: None,
+            picture: DisplayPass::target(device, [1, 1]),
+            survey_pass: SurveyPass::new(device),
+            survey: None,
             is_refined: false,
             bands: 1,
             stats: Stats::default(),
@@ -80,39 +98,94 @@ impl Preview {
         let layout = self.passes.gbuffer.occluder_layout();
         let occluders = Occluders::of_scene(device, layout, (scene, view.camera.eye), self.occluders.as_ref());
         self.occluders = Some(Arc::clone(&occluders));
-        let (wanted, mix) = wanted(scene, &view, &occluders, self.bands);
+        let (wanted, mixes) = wanted(scene, &view, &occluders, self.bands);
         let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         let before = self.stats;
         let worked = self.centred.update(device, &mut encoder, &mut self.passes, &wanted, &mut self.stats);
         self.is_refined = self.centred.is_refined(&wanted.lit);
-        if self.picture.size() != view.size {
-            self.picture = Picture::new(device, view.size);
-        }
-        let shows = self.stats != before || self.mix.as_ref() != Some(&mix);
-        let refines = !worked && !shows && view.refine && !self.is_converged();
-        if shows {
+        self.fit(device, view.size, mixes.len());
+        let sums = self.stats != before || self.mixes != mixes;
+        let refines = !worked && !sums && view.refine && !self.is_converged();
+        self.mixes = mixes;
+        if sums {
             self.samples = 0;
-            self.accumulate(device, &mut encoder, &mix, false);
+            self.accumulate(device, &mut encoder, false);
         } else if refines {
             let seen = Seen::new(&occluders, &view, jitter(self.samples));
             let wanted = Wanted { seen, sample: self.samples, ..wanted };
             self.jittered.update(device, &mut encoder, &mut self.passes, &wanted, &mut self.stats);
             if self.jittered.is_refined(&wanted.lit) {
-                self.accumulate(device, &mut encoder, &mix, true);
+                self.accumulate(device, &mut encoder, true);
             }
         }
-        self.mix = Some(mix);
+        let shows = self.stats.composites != before.composites || self.shown != Some(Shown::new(&view));
+        if shows {
+            self.show(device, &mut encoder, Shown::new(&view));
+        }
         if worked || shows || refines {
             queue.submit([encoder.finish()]);
         }
-        &self.picture.picture().view
+        &self.picture.view
     }
 
-    fn accumulate(&mut self, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder, mix: &Mix, jittered: bool) {
+    /// Room for the means of that many methods.
+    fn fit(&mut self, device: &wgpu::Device, size: [u32; 2], methods: usize) {
+        if [self.picture.texture.width(), self.picture.texture.height()] != size {
+            self.picture = DisplayPass::target(device, size);
+            self.scratch = Scratch::new(device, size);
+            self.means = [None, None];
+            self.mixes.clear();
+        }
+        for (i, means) in self.means.iter_mut().enumerate() {
+            if i < methods {
+                means.get_or_insert_with(|| Means::new(device, size));
+            } else {
+                *means = None;
+            }
+        }
+    }
+
+    /// Adds a sample to the means.
+    fn accumulate(&mut self, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder, jittered: bool) {
         let sample = if jittered { &self.jittered } else { &self.centred };
         self.samples += 1;
-        self.composite_pass.accumulate(device, encoder, sample, mix, self.samples, &mut self.picture);
-        self.stats.composites += 1;
+        for (mix, means) in self.mixes.iter().zip(self.means.iter_mut().flatten()) {
+            self.composite_pass.accumulate(device, encoder, (sample, self.samples), mix, &self.scratch, means);
+            self.stats.composites += 1;
+        }
+    }
+
+    /// Draws the picture of the means.
+    fn show(&mut self, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder, shown: Shown) {
+        if let (Some(gbuffer), Some(means)) = (self.centred.gbuffer(), self.compared()) {
+            self.display_pass.draw(device, encoder, gbuffer, means, &shown, &self.picture);
+            self.shown = Some(shown);
+        }
+    }
+
+    /// The means by the view's method and by the other one, or the same again.
+    fn compared(&self) -> Option<[&Means; 2]> {
+        let means = self.means[0].as_ref()?;
+        Some([means, self.means[1].as_ref().unwrap_or(means)])
+    }
+
+    /// Starts a survey of the picture as it is now, if none is under way.
+    pub fn start_survey(&mut self, device: &wgpu::Device, queue: &wgpu::Queue) {
+        if self.survey.is_none()
+            && let Some(means) = self.compared()
+        {
+            self.survey = Some(self.survey_pass.start(device, queue, means));
+        }
+    }
+
+    /// The survey that was started, once, when the device has been polled after it was done.
+    pub fn take_survey(&mut self) -> Option<Survey> {
+        Some(self.survey.take_if(|pending| pending.is_ready())?.survey())
+    }
+
+    /// Whether a survey has been started and not been taken.
+    pub fn is_surveying(&self) -> bool {
+        self.survey.is_some()
     }
 
     /// Cuts a stage of all layers and shadows into that many bands, one a call, so that no call holds the device for
@@ -136,13 +209,14 @@ impl Preview {
         self.is_refined
     }
 
-    /// The picture, copied out of the device.
+    /// The picture and the means by the view's method, copied out of the device.
     ///
     /// # Errors
     ///
-    /// [`ReadBackError`] where the device was lost.
+    /// [`ReadBackError`] where the device was lost, or nothing has been rendered.
     pub fn read_back(&self, device: &wgpu::Device, queue: &wgpu::Queue) -> Result<Pixels, ReadBackError> {
-        read_back::pixels(device, queue, &self.picture)
+        let means = self.means[0].as_ref().ok_or(ReadBackError::Nothing)?;
+        read_back::pixels(device, queue, means, &self.picture)
     }
 }
 
@@ -166,26 +240,36 @@ fn lobes(scene: &Scene, method: Method) -> Vec<Lobe> {
     known.map(|lobe| lobes::lobe(&lobe, method)).collect()
 }
 
-/// What the layers are to be, and how they are mixed.
-fn wanted(scene: &Scene, view: &View, occluders: &Arc<Occluders>, bands: u32) -> (Wanted, Mix) {
-    let mut mixed = Vec::new();
+/// What the layers are to be, and how they are mixed: by the view's method, and by the one that it is compared with.
+fn wanted(scene: &Scene, view: &View, occluders: &Arc<Occluders>, bands: u32) -> (Wanted, Vec<Mix>) {
+    let methods: Vec<_> = [Some(view.method), view.display.against()].into_iter().flatten().collect();
     let matte = scene.materials.iter().all(|material| material.specular == DVec3::ZERO);
+    // Lobes differ between methods by Chebyshev's fit only: where both have one, it is the first one's.
+    let fitted = methods.iter().find(|method| matches!(method, Method::Chebyshev { .. }));
     let mut wanted = Wanted {
         seen: Seen::new(occluders, view, [0.0, 0.0]),
-        lobes: lobes(scene, view.method),
+        lobes: lobes(scene, *fitted.unwrap_or(&view.method)),
         matte,
         sample: 0,
         bands,
         lit: Vec::new(),
         dark: Vec::new(),
     };
+    let mixes = methods.into_iter().map(|method| Mix::new(scene, view, light_up(scene, view, method, &mut wanted)));
+    let mixes = mixes.collect();
+    (wanted, mixes)
+}
+
+/// Adds a scene's lights by a method to what is wanted; those that contribute, with their weights.
+fn light_up(scene: &Scene, view: &View, method: Method, wanted: &mut Wanted) -> Vec<Mixed> {
     let shadows = view.shadows && shadows::are_cast(&scene.surfaces);
-    let other_lobes = !matte && wanted.lobes.iter().any(lobes::is_other);
+    let other_lobes = !wanted.matte && wanted.lobes.iter().any(lobes::is_other);
+    let mut mixed = Vec::new();
     for light in &scene.lights {
         let reached = || scene.surfaces.iter().map(|surface| light.reaches(&surface.name)).collect();
         let reaches: Option<Arc<[bool]>> = light.only.is_some().then(reached);
         for (emitter, weight) in light.parts() {
-            let method = view.method.for_shape(&light.shape);
+            let method = method.for_shape(&light.shape);
             let mut data = LightData::new(&emitter, method, view.camera.eye);
             if other_lobes {
                 data = data.with_other_lobes(&emitter, method, view.camera.eye);
@@ -200,8 +284,7 @@ fn wanted(scene: &Scene, view: &View, occluders: &Arc<Occluders>, bands: u32) ->
             }
         }
     }
-    let mix = Mix::new(scene, view, mixed);
-    (wanted, mix)
+    mixed
 }
 
 /// Offset of a sample from the pixel's centre, in pixels, −½…½.

@@ -1,6 +1,7 @@
 //! Pictures copied out of the device.
 
-use super::composite::Picture;
+use super::composite::Means;
+use super::pass::Target;
 
 /// A picture in memory, rows from the top.
 #[derive(Clone, Debug, PartialEq)]
@@ -9,7 +10,9 @@ pub struct Pixels {
     pub size: [u32; 2],
     /// Linear radiance, cd/m², Rec. 709.
     pub radiance: Vec<[f32; 3]>,
-    /// Exposed, tone-mapped, sRGB-encoded, opaque.
+    /// Illuminance, lx; none where no surface is seen.
+    pub illuminance: Vec<Option<f32>>,
+    /// What the view shows, sRGB-encoded, opaque.
     pub srgb: Vec<[u8; 4]>,
 }
 
@@ -22,12 +25,27 @@ pub enum ReadBackError {
     /// The buffer could not be mapped.
     #[error("the graphics device does not give its memory back")]
     Unmapped,
+    /// There is no picture yet.
+    #[error("there is no picture yet")]
+    Nothing,
 }
 
-pub(crate) fn pixels(device: &wgpu::Device, queue: &wgpu::Queue, picture: &Picture) -> Result<Pixels, ReadBackError> {
-    let radiance: Vec<[f32; 4]> = texture(device, queue, &picture.radiance().texture)?;
-    let srgb: Vec<[u8; 4]> = texture(device, queue, &picture.picture().texture)?;
-    Ok(Pixels { size: picture.size(), radiance: radiance.iter().map(|&[r, g, b, _]| [r, g, b]).collect(), srgb })
+/// The means by the view's method, and the picture.
+pub(crate) fn pixels(
+    device: &wgpu::Device,
+    queue: &wgpu::Queue,
+    means: &Means,
+    picture: &Target,
+) -> Result<Pixels, ReadBackError> {
+    let radiance: Vec<[f32; 4]> = texture(device, queue, &means.radiance().texture)?;
+    let display: Vec<[f32; 4]> = texture(device, queue, &means.display().texture)?;
+    let covered = display.iter().map(|texel| texel[3]);
+    Ok(Pixels {
+        size: [picture.texture.width(), picture.texture.height()],
+        radiance: radiance.iter().map(|&[r, g, b, _]| [r, g, b]).collect(),
+        illuminance: radiance.iter().zip(covered).map(|(texel, c)| (c > 0.0).then(|| texel[3] / c)).collect(),
+        srgb: texture(device, queue, &picture.texture)?,
+    })
 }
 
 /// All texels of a texture, each of type `T`.

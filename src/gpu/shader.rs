@@ -77,6 +77,10 @@ modules! {
     COMPOSITE = "composite.wgsl";
     /// The tone curve.
     TONE = "tone.wgsl";
+    /// The picture.
+    DISPLAY = "display.wgsl";
+    /// Some of the picture's numbers.
+    SURVEY = "survey.wgsl";
 }
 
 #[cfg(test)]

@@ -3,10 +3,12 @@
 use std::collections::HashMap;
 
 use super::composite::CompositePass;
+use super::display::DisplayPass;
 use super::gbuffer::GBufferPass;
 use super::lights::Responder;
 use super::shader::{Module, Source};
 use super::shadows::Finder;
+use super::survey::SurveyPass;
 use super::twin;
 use super::types::LAYOUTS;
 
@@ -34,6 +36,7 @@ fn every_source() -> Vec<Source> {
     sources.extend(Finder::ALL.iter().map(Finder::source));
     sources.push(GBufferPass::source());
     sources.extend(CompositePass::sources());
+    sources.extend([DisplayPass::source(), SurveyPass::source()]);
     sources.extend(twin::FUNCTIONS.iter().map(twin::source));
     sources
 }

@@ -252,6 +252,17 @@ gpu_structs! {
         unused: u32,
     }
 
+    /// What a picture shows.
+    Shown {
+        mode: u32,
+        option: u32,
+        split: f32,
+        end: f32,
+        level_count: u32,
+        pad: [u32; 3],
+        levels: [[f32; 4]; 3],
+    }
+
     /// What the tone curve needs.
     Tone {
         exposure: f32,

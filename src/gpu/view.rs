@@ -1,5 +1,6 @@
 //! How a scene is looked at, and what looking cost.
 
+use crate::render::false_colour::Scale;
 use crate::scene::Camera;
 use crate::shading::Method;
 
@@ -20,6 +21,59 @@ pub struct View {
     pub shadows: bool,
     /// While nothing changes, each call adds a sample a pixel until the picture has converged.
     pub refine: bool,
+    /// What the picture shows.
+    pub display: Display,
+}
+
+/// What a picture shows of radiance and illuminance.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Display {
+    /// What the camera sees.
+    #[default]
+    Picture,
+    /// The same, beside it by another method.
+    Split {
+        /// The other method.
+        against: Method,
+        /// Where it begins, as a share of the width.
+        at: f64,
+    },
+    /// Luminance less that by another method, in the colours of [`diverging`](crate::render::false_colour::diverging).
+    Difference {
+        /// The other method.
+        against: Method,
+        /// As a share of the other method's luminance; else in cd/m².
+        relative: bool,
+        /// Where the colours end, above 0.
+        end: f64,
+    },
+    /// Illuminance, lx, in the colours of [`sequential`](crate::render::false_colour::sequential).
+    Illuminance {
+        /// What the colours stand for.
+        scale: Scale,
+        /// With lines at the scale's levels.
+        isolines: bool,
+    },
+    /// Within which of [`TOLERANCES`](crate::render::false_colour::TOLERANCES) of another method, in the colours of
+    /// [`bands`](crate::render::false_colour::bands).
+    Bands {
+        /// The other method.
+        against: Method,
+        /// Of illuminance; else of luminance.
+        illuminance: bool,
+    },
+}
+
+impl Display {
+    /// The method that the view's is compared with.
+    pub fn against(&self) -> Option<Method> {
+        match self {
+            Self::Picture | Self::Illuminance { .. } => None,
+            Self::Split { against, .. } | Self::Difference { against, .. } | Self::Bands { against, .. } => {
+                Some(*against)
+            }
+        }
+    }
 }
 
 /// How often each step was done since the preview was made.
@@ -33,4 +87,17 @@ pub struct Stats {
     pub shadows: u64,
     /// Sums of the layers, exposed and tone-mapped.
     pub composites: u64,
+}
+
+impl std::ops::Add for Stats {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self {
+            g_buffers: self.g_buffers + other.g_buffers,
+            layers: self.layers + other.layers,
+            shadows: self.shadows + other.shadows,
+            composites: self.composites + other.composites,
+        }
+    }
 }

@@ -15,4 +15,5 @@ mod safety;
 mod shapes;
 mod start;
 mod viewport;
+mod views;
 mod window;

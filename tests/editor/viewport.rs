@@ -272,7 +272,7 @@ fn the_view_is_orbited_panned_and_zoomed_without_touching_the_document() {
     assert!(!window.session().history.is_modified(), "the document is as it was");
 }
 
-fn press<S>(harness: &Harness<'_, S>, pos: Pos2, pressed: bool, modifiers: Modifiers) {
+pub(crate) fn press<S>(harness: &Harness<'_, S>, pos: Pos2, pressed: bool, modifiers: Modifiers) {
     harness.event(Event::PointerButton { pos, button: PointerButton::Primary, pressed, modifiers });
 }
 
@@ -292,12 +292,12 @@ fn drag_with(window: &mut Window, from: Pos2, by: Vec2, button: PointerButton, m
 }
 
 /// A viewport alone in a window.
-struct Pane {
-    viewport: Viewport,
-    session: Session,
+pub(crate) struct Pane {
+    pub(crate) viewport: Viewport,
+    pub(crate) session: Session,
 }
 
-fn pane(scene: Scene, size: Vec2) -> Harness<'static, Pane> {
+pub(crate) fn pane(scene: Scene, size: Vec2) -> Harness<'static, Pane> {
     let render_state = create_render_state(default_wgpu_setup(), egui_wgpu_options());
     let mut viewport = Viewport::new(&render_state);
     viewport.set_frame_budget(Duration::MAX);
@@ -317,12 +317,12 @@ fn egui_wgpu_options() -> eframe::egui_wgpu::RendererOptions {
     eframe::egui_wgpu::RendererOptions::PREDICTABLE
 }
 
-fn test_scene() -> Scene {
+pub(crate) fn test_scene() -> Scene {
     parse(SCENE, "test scene").expect("the scene is valid")
 }
 
 /// The test scene from further up, so that its lights are seen from above.
-fn test_scene_from_above() -> Scene {
+pub(crate) fn test_scene_from_above() -> Scene {
     let camera = Camera { eye: DVec3::new(3.5, -6.0, 5.5), target: DVec3::new(0.0, 0.0, 1.2), fov_deg: 40.0 };
     Scene { camera, ..test_scene() }
 }

@@ -4,7 +4,7 @@ use std::fmt;
 use std::path::Path;
 
 use glam::DVec3;
-use softbox::gpu::{View, picture};
+use softbox::gpu::{Display, View, picture};
 use softbox::render::{Film, Geometry, MethodChoice, Progress, Settings, Shadows, Thing, lobe_of, render};
 use softbox::scene::{self, Scene};
 use softbox::shading::Method;
@@ -75,6 +75,7 @@ fn bare_view(scene: &Scene, method: Method) -> View {
         show_emitters: true,
         shadows: false,
         refine: false,
+        display: Display::Picture,
     }
 }
 

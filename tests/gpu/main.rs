@@ -6,6 +6,7 @@ mod agreement;
 #[expect(dead_code, reason = "the other tests' loader; not all of it is needed here")]
 #[path = "../closed_form/cases.rs"]
 mod cases;
+mod displays;
 mod shadows;
 mod textured;
 mod tracking;

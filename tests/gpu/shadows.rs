@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use glam::DVec3;
-use softbox::gpu::{Pixels, Preview, Stats, View};
+use softbox::gpu::{Display, Pixels, Preview, Stats, View};
 use softbox::render::{Film, MethodChoice, Progress, Settings, Shadows, render};
 use softbox::scene::{self, Scene};
 use softbox::shading::Method;
@@ -20,6 +20,7 @@ fn view(scene: &Scene) -> View {
         show_emitters: true,
         shadows: true,
         refine: false,
+        display: Display::Picture,
     }
 }
 

@@ -4,7 +4,7 @@ use std::io::Cursor;
 
 use glam::DVec3;
 use image::{ImageBuffer, ImageFormat, Luma, Rgb};
-use softbox::gpu::{Preview, View, picture};
+use softbox::gpu::{Display, Preview, View, picture};
 use softbox::render::{Geometry, MethodChoice, Progress, Settings, Shadows, Thing, render};
 use softbox::scene::{self, Scene};
 use softbox::shading::Method;
@@ -71,6 +71,7 @@ fn view(scene: &Scene) -> View {
         show_emitters: true,
         shadows: false,
         refine: false,
+        display: Display::Picture,
     }
 }
 

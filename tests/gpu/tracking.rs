@@ -1,7 +1,7 @@
 //! What the preview redoes.
 
 use glam::{DVec2, DVec3};
-use softbox::gpu::{Pixels, Preview, Stats, View};
+use softbox::gpu::{Display, Pixels, Preview, Stats, View};
 use softbox::light::{Light, Line, Point, Polygon, Quantity, QuantityKind, Shape, Tint};
 use softbox::scene::{Camera, Scene};
 use softbox::shading::Method;
@@ -26,6 +26,7 @@ impl Bench {
             show_emitters: false,
             shadows: false,
             refine: false,
+            display: Display::Picture,
         };
         Self { preview, scene, view }
     }

@@ -63,6 +63,7 @@ impl Command {
             Self::Method(method) => method.to_string(),
             Self::List(command) => command.label(session),
             Self::ShowPane(pane) => format!("Show {}", pane.title().to_lowercase()),
+            Self::ViewMode(mode) => mode.label().to_owned(),
             Self::ToggleTheme => "Switch dark/light theme".to_owned(),
             _ => self.fixed_label().to_owned(),
         }
@@ -94,6 +95,12 @@ impl Command {
             Self::Tool(Tool::Textured) => "Draw textured rectangle",
             Self::Tool(Tool::Outline) => "Draw outline",
             Self::NextPlane => "Next work plane",
+            Self::Viewports(2) => "Two viewports",
+            Self::Viewports(4) => "Four viewports",
+            Self::Viewports(_) => "One viewport",
+            Self::LinkViews => "Link cameras",
+            Self::AutoExposure => "Auto exposure",
+            Self::ToggleMeasure => "Measure illuminance",
             Self::Focus => "Focus selection",
             Self::FrameAll => "Show all",
             Self::ResetView => "View through scene camera",
@@ -136,6 +143,10 @@ impl Command {
             Self::SaveView => Some("Saved with the scene, and used when it is rendered"),
             Self::Palette => Some("Any command, preset or thing in the scene, by a few letters"),
             Self::ResetLayout => Some("Put all panes where they were at first"),
+            Self::ViewMode(mode) => Some(mode.hint()),
+            Self::LinkViews => Some("All viewports look through the same camera"),
+            Self::AutoExposure => Some("All but the brightest 1 % of the picture shows without clipping"),
+            Self::ToggleMeasure => Some("Least, mean and greatest illuminance and uniformity over a rectangle"),
             _ => None,
         }
     }
@@ -176,6 +187,11 @@ impl Command {
             | Self::Pivot(_)
             | Self::NextPivot => Category::Tool,
             Self::Method(_)
+            | Self::ViewMode(_)
+            | Self::Viewports(_)
+            | Self::LinkViews
+            | Self::AutoExposure
+            | Self::ToggleMeasure
             | Self::Focus
             | Self::FrameAll
             | Self::ResetView

@@ -21,7 +21,7 @@ use super::files::Then;
 use super::handles::frame::{Axes, Pivot};
 use super::panes::{self, Pane};
 use super::presets::Preset;
-use super::session::{Framing, Item, Session, Tool};
+use super::session::{Framing, Item, Session, Tool, ViewMode};
 use super::tools::outline::OutlineKind;
 use crate::analysis::{Sheet, methods_for};
 use crate::export::plot::PlotFormat;
@@ -95,6 +95,16 @@ pub enum Command {
     NextPlane,
     /// Shade the viewport by a method.
     Method(Method),
+    /// Show something else in the viewport.
+    ViewMode(ViewMode),
+    /// Show so many viewports: 1, 2 or 4.
+    Viewports(usize),
+    /// Let all viewports look through one camera or not.
+    LinkViews,
+    /// Set the exposure by what is seen.
+    AutoExposure,
+    /// Measure illuminance over a rectangle or not.
+    ToggleMeasure,
     /// Bring what is selected into view.
     Focus,
     /// Bring everything into view.
@@ -158,6 +168,7 @@ impl Command {
             Self::SavePreset | Self::ToggleMute | Self::ToggleSolo => panes::has_lights(session),
             Self::OpenFile(path) | Self::InsertFile(path) => path.exists(),
             Self::EditPattern => session.selection.primary().is_some_and(|item| item.has_pattern(session.scene())),
+            Self::LinkViews => session.views.count() > 1,
             _ => true,
         }
     }
@@ -180,6 +191,10 @@ impl Command {
             Self::Tool(tool) => Some(session.tool == *tool),
             Self::Outline(kind) => Some(session.tool == Tool::Outline && session.outline.kind == *kind),
             Self::Method(method) => Some(session.view.method == *method),
+            Self::ViewMode(mode) => Some(session.view.mode == *mode),
+            Self::Viewports(count) => Some(session.views.count() == *count),
+            Self::LinkViews => Some(session.views.linked),
+            Self::ToggleMeasure => Some(session.measure.shown),
             Self::ToggleEmitters => Some(session.view.show_emitters),
             Self::ToggleShadows => Some(session.view.show_shadows),
             Self::ToggleGrid => Some(session.view.show_grid),
@@ -250,6 +265,14 @@ impl Command {
             }
             Self::NextPlane => session.work_plane.cycle(&session.view.camera),
             Self::Method(method) => session.view.method = method,
+            Self::ViewMode(mode) => session.view.set_mode(mode),
+            Self::Viewports(count) => session.set_view_count(count),
+            Self::LinkViews => {
+                session.views.linked ^= true;
+                session.link_views();
+            }
+            Self::AutoExposure => session.wants_exposure = true,
+            Self::ToggleMeasure => session.measure.shown ^= true,
             Self::Focus => session.framing = Some(Framing::Selection),
             Self::FrameAll => session.framing = Some(Framing::All),
             Self::ResetView => session.reset_view(),

@@ -13,7 +13,7 @@ use crate::editor::handles::{self, frame::Pivot};
 use crate::editor::library::Source;
 use crate::editor::library::thumbnails::Thumbnails;
 use crate::editor::presets;
-use crate::editor::session::{Session, Tool};
+use crate::editor::session::{Session, Tool, ViewMode};
 use crate::editor::theme;
 use crate::editor::tools::options;
 use crate::editor::tools::outline::OutlineKind;
@@ -113,6 +113,11 @@ fn recent(ui: &mut Ui, path: &Path, thumbnails: &mut Thumbnails, chosen: &mut Op
 fn view_menu(ui: &mut Ui, session: &Session, chosen: &mut Option<Command>) {
     let methods: Vec<_> = view_methods(session.scene()).into_iter().map(Command::Method).collect();
     ui.menu_button("Shading method", |ui| entries(ui, session, &methods, chosen));
+    ui.menu_button("Show in viewport", |ui| entries(ui, session, &ViewMode::ALL.map(Command::ViewMode), chosen));
+    entries(ui, session, &[Command::AutoExposure, Command::ToggleMeasure], chosen);
+    ui.separator();
+    entries(ui, session, &[1, 2, 4].map(Command::Viewports), chosen);
+    entry(ui, session, &Command::LinkViews, chosen);
     ui.separator();
     entries(ui, session, &[Command::Focus, Command::FrameAll, Command::ResetView, Command::SaveView], chosen);
     ui.separator();
@@ -176,6 +181,10 @@ pub fn toolbar(ui: &mut Ui, session: &mut Session) -> Option<Command> {
         ui.separator();
         tool_button(ui, session, icons::ICON_CENTER_FOCUS_STRONG, Command::Focus, &mut chosen);
         tool_button(ui, session, icons::ICON_ZOOM_OUT_MAP, Command::FrameAll, &mut chosen);
+        ui.separator();
+        tool_button(ui, session, icons::ICON_CROP_SQUARE, Command::Viewports(1), &mut chosen);
+        tool_button(ui, session, icons::ICON_SPLITSCREEN_RIGHT, Command::Viewports(2), &mut chosen);
+        tool_button(ui, session, icons::ICON_GRID_VIEW, Command::Viewports(4), &mut chosen);
         ui.separator();
         // What the tool in hand is set to comes last, so that nothing else moves.
         if !session.tool.draws() {

@@ -1,10 +1,14 @@
-//! The view into the scene: the live picture, what is painted over it, and what the mouse does there.
+//! The view into the scene: one, two or four live pictures, what is painted over them, and what the mouse does there.
 //!
 //! Geometry without egui's input lives in [`ray`], [`projection`], [`navigate`] and [`pick`]; what a drag or a click
-//! does to the document in [`super::handles`] and [`super::tools`]. `pointer.rs` joins them to the mouse.
+//! does to the document in [`super::handles`] and [`super::tools`]. `pointer.rs` joins them to the mouse. A [`screen`]
+//! is one picture with its [`controls`], its [`scales`] of false colours, its [`split`] between two methods, and the
+//! [`gauge`] of illuminance.
 
 pub mod bounds;
 pub mod controls;
+pub mod gauge;
+pub mod layout;
 pub mod navigate;
 pub mod overlay;
 pub mod pick;
@@ -12,23 +16,26 @@ pub mod picture;
 pub mod pointer;
 pub mod projection;
 pub mod ray;
+pub mod scales;
+pub mod screen;
+pub mod split;
 pub mod symbol;
 
 use std::time::Duration;
 
 use eframe::egui_wgpu::RenderState;
-use egui::{Align2, Color32, Rect, Sense, Ui, WidgetInfo, pos2, vec2};
+use egui::{Rect, Response, Sense, Stroke, StrokeKind, Ui, UiBuilder, WidgetInfo};
 
 use self::bounds::Ball;
-use self::overlay::Grid;
 use self::pick::Solids;
-use self::picture::{Haste, Picture};
+use self::picture::{FRAME_BUDGET, Haste};
 use self::pointer::Pointer;
 use self::projection::Projection;
+use self::screen::Screen;
 use super::panes::view_menu;
 use super::session::{Framing, Item, Session};
 use super::{library, theme};
-use crate::gpu::{Stats, View};
+use crate::gpu::Stats;
 
 /// What is painted over the picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -51,64 +58,124 @@ impl Default for Overlays {
 
 /// See the [module](self).
 pub struct Viewport {
-    picture: Picture,
+    render_state: RenderState,
+    screens: Vec<Screen>,
+    /// The screen that the pointer is in, or was last.
+    home: usize,
     solids: Solids,
-    grid: Grid,
     pointer: Pointer,
     overlays: Overlays,
+    frame_budget: Duration,
 }
 
-/// Outlines of surfaces that no light shows.
-const IN_THE_DARK: Color32 = Color32::from_gray(0x70);
 /// The pointer has not moved for so long where nobody acts, seconds.
 const CALM_AFTER: f32 = 0.5;
 /// A pane narrower than this shows nothing, points.
 const LEAST_SIDE: f32 = 8.0;
-/// A pane narrower than this has no room for controls, points.
-const LEAST_FOR_CONTROLS: f32 = 160.0;
 
 impl Viewport {
     /// A viewport that draws on the window's device.
     pub fn new(render_state: &RenderState) -> Self {
         Self {
-            picture: Picture::new(render_state),
+            render_state: render_state.clone(),
+            screens: Vec::new(),
+            home: 0,
             solids: Solids::default(),
-            grid: Grid::default(),
             pointer: Pointer::default(),
             overlays: Overlays::default(),
+            frame_budget: FRAME_BUDGET,
         }
     }
 
-    /// Fill the rest of `ui` with the view of the session's scene.
+    /// Fill the rest of `ui` with views of the session's scene.
     pub fn show(&mut self, ui: &mut Ui, session: &mut Session) {
-        let rect = ui.available_rect_before_wrap();
-        let response = ui.allocate_rect(rect, Sense::click_and_drag());
-        response.widget_info(|| WidgetInfo::labeled(egui::Role::Canvas, true, "Viewport"));
-        if rect.width() < LEAST_SIDE || rect.height() < LEAST_SIDE || !ui.is_rect_visible(rect) {
+        let whole = ui.available_rect_before_wrap();
+        ui.allocate_rect(whole, Sense::hover());
+        let count = session.views.count();
+        let places = layout::places(whole, count, session.views.dividers);
+        let canvases: Vec<_> = places.iter().enumerate().map(|(i, rect)| canvas(ui, *rect, (i, count))).collect();
+        let is_tiny = |rect: &Rect| rect.width() < LEAST_SIDE || rect.height() < LEAST_SIDE;
+        if places.iter().any(is_tiny) || !ui.is_rect_visible(whole) {
             return;
         }
+        self.fit(count);
         self.solids.update(&session.scene().surfaces);
-        self.frame(rect, session);
-        self.pointer.update(ui, &response, session, &self.solids, self.overlays.handles);
-        let projection = Projection::new(&session.view.camera, rect);
-        session.under_pointer = self.pointer.hovered();
-        view_menu(&response, session, self.pointer.hovered());
-        library::drop::receive(ui, &response, &projection, &self.solids, session);
-        self.paint_picture(ui, rect, session);
-        self.paint_overlays(ui, &projection, session);
-        if rect.width() >= LEAST_FOR_CONTROLS {
-            controls::show(ui, rect, session, &mut self.overlays);
+        layout::dividers(ui, whole, session);
+        self.go_home(ui, &canvases, session);
+        self.frame(places[session.views.active()], session);
+        self.act(ui, &canvases[self.home], session);
+        session.link_views();
+        self.paint_pictures(ui, &places, session);
+        for (index, rect) in places.iter().enumerate() {
+            let name = if count > 1 { format!(", view {}", index + 1) } else { String::new() };
+            let builder = UiBuilder::new().id_salt(("screen", index)).max_rect(*rect);
+            ui.scope_builder(builder, |ui| self.overlay(ui, *rect, session, index, &name));
+        }
+        if count > 1 {
+            let stroke = Stroke::new(1.5, theme::accent(ui.visuals()).gamma_multiply(0.8));
+            ui.painter().rect_stroke(places[session.views.active()], 0.0, stroke, StrokeKind::Inside);
         }
     }
 
-    /// What the picture has cost since the start.
+    /// What the pictures have cost since they were first shown.
     pub fn stats(&self) -> Stats {
-        self.picture.stats()
+        self.screens.iter().map(|screen| screen.picture.stats()).fold(Stats::default(), |sum, stats| sum + stats)
+    }
+
+    /// What the picture of one viewport has cost; nothing of one that is not shown.
+    pub fn stats_of(&self, index: usize) -> Stats {
+        self.screens.get(index).map(|screen| screen.picture.stats()).unwrap_or_default()
+    }
+
+    /// Whether numbers are being found off this thread.
+    pub fn is_busy(&self) -> bool {
+        self.screens.iter().any(Screen::is_busy)
     }
 
     /// How long a frame may take while something is dragged, before resolution is lowered.
     pub fn set_frame_budget(&mut self, budget: Duration) {
-        self.picture.set_frame_budget(budget);
+        self.frame_budget = budget;
+        self.fit(self.screens.len());
+    }
+
+    /// As many screens as are shown, which share the time of a frame.
+    fn fit(&mut self, count: usize) {
+        self.screens.truncate(count);
+        self.screens.resize_with(count, || Screen::new(&self.render_state));
+        self.home = self.home.min(count.saturating_sub(1));
+        for screen in &mut self.screens {
+            screen.picture.set_frame_budget(self.frame_budget / u32::try_from(count).unwrap_or(1));
+        }
+    }
+
+    /// Follow the pointer to the screen that it is in. A press or a turn of the wheel makes that the active one.
+    fn go_home(&mut self, ui: &Ui, canvases: &[Response], session: &mut Session) {
+        let (pos, pressed, down, turned) = ui.input(|input| {
+            let turned = input.smooth_scroll_delta().y != 0.0 || input.zoom_delta() != 1.0;
+            (input.pointer.interact_pos(), input.pointer.any_pressed(), input.pointer.any_down(), turned)
+        });
+        if self.pointer.is_dragging() || (down && !pressed) {
+            return;
+        }
+        let Some(pos) = pos else { return };
+        let is_free = ui.ctx().layer_id_at(pos).is_none_or(|layer| layer == ui.layer_id());
+        let Some(under) = canvases.iter().position(|canvas| is_free && canvas.rect.contains(pos)) else { return };
+        self.home = under;
+        if pressed || turned {
+            session.activate_view(under);
+        }
+    }
+
+    /// What the mouse does in the screen that it is in.
+    fn act(&mut self, ui: &Ui, canvas: &Response, session: &mut Session) {
+        let handles = self.overlays.handles;
+        session.with_view(self.home, |session| {
+            self.pointer.update(ui, canvas, session, &self.solids, handles);
+            session.under_pointer = self.pointer.hovered();
+            view_menu(canvas, session, self.pointer.hovered());
+            let projection = Projection::new(&session.view.camera, canvas.rect);
+            library::drop::receive(ui, canvas, &projection, &self.solids, session);
+        });
     }
 
     /// Bring into view what the session asks for.
@@ -133,87 +200,45 @@ impl Viewport {
         }
     }
 
-    fn paint_picture(&mut self, ui: &Ui, rect: Rect, session: &mut Session) {
-        let view = session.view;
-        let shown = session.shown_for(&view);
+    /// Draw all pictures, the active one first. One at a time is refined.
+    fn paint_pictures(&mut self, ui: &Ui, places: &[Rect], session: &mut Session) {
         let dragging = self.pointer.is_dragging() || session.live.is_some();
-        let view = View {
-            camera: session.view.camera,
-            size: [rect.width(), rect.height()].map(|side| physical(side, ui.ctx().pixels_per_point())),
-            method: session.view.method,
-            exposure_ev: shown.display.exposure_ev,
-            show_emitters: session.view.show_emitters,
-            shadows: session.view.show_shadows,
-            refine: session.view.refines && !dragging,
-        };
         let quiet = ui.input(|input| input.events.is_empty() && input.pointer.time_since_last_movement() > CALM_AFTER);
         let haste = match dragging {
             true => Haste::Dragging,
             false if quiet => Haste::Calm,
             false => Haste::Acting,
         };
-        let texture = self.picture.render(&shown, &view, haste);
-        let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
-        ui.painter().image(texture, rect, whole, Color32::WHITE);
-        if self.picture.is_behind() || (view.refine && !self.picture.is_converged()) {
-            ui.ctx().request_repaint();
+        let active = session.views.active();
+        let mut working = false;
+        let order = std::iter::once(active).chain((0..places.len()).filter(|index| *index != active));
+        for index in order {
+            let screen = &mut self.screens[index];
+            working |= session.with_view(index, |session| {
+                let works = screen.paint_picture(ui, places[index], session, haste, working);
+                screen.follow(ui, session, index == active);
+                works
+            });
         }
     }
 
-    fn paint_overlays(&mut self, ui: &Ui, projection: &Projection, session: &Session) {
-        let painter = ui.painter_at(projection.rect());
-        let accent = theme::accent(ui.visuals());
-        let scene = session.scene();
-        if session.view.show_grid {
-            self.grid.paint(projection, &self.solids, &painter);
-        }
-        if self.overlays.outlines {
-            let hovered = self.pointer.hovered();
-            overlay::paint_lights(scene, &session.selection, hovered, accent, &self.solids, projection, &painter);
-        }
-        self.paint_surfaces(session, accent, projection, &painter);
-        if let Some(plot) = scene.plots.get(session.plots.active).filter(|_| self.overlays.probe) {
-            let chosen = session.selection.contains(Item::Plot(session.plots.active)) || self.pointer.holds_probe();
-            overlay::paint_probe(plot, chosen, accent, projection, &painter);
-            if let Some(x) = session.plots.cursor {
-                overlay::paint_probe_at(plot, x, accent, projection, &painter);
-            }
-        }
-        self.pointer.paint(session, accent, projection, &painter);
-        if self.overlays.gnomon {
-            overlay::paint_gnomon(projection, projection.rect().left_bottom() + vec2(46.0, -46.0), &painter);
-            paint_camera_info(projection, &painter);
-        }
-    }
-
-    /// Boxes around the selected surfaces; in the dark around all of them, and what to do about that.
-    fn paint_surfaces(&self, session: &Session, accent: Color32, projection: &Projection, painter: &egui::Painter) {
-        let dark = session.scene().lights.iter().all(|light| light.muted);
-        for i in 0..session.scene().surfaces.len() {
-            let selected = session.selection.contains(Item::Surface(i));
-            if selected || dark {
-                let color = if selected { accent } else { IN_THE_DARK };
-                overlay::paint_box(&self.solids.corners(i), color, &self.solids, projection, painter);
-            }
-        }
-        if dark && !session.tool.draws() {
-            let text = "No light is on.  Draw one:  P polygon,  L line,  O sphere,  T textured,  N outline";
-            let at = projection.rect().center_bottom() - vec2(0.0, 40.0);
-            overlay::label(text, at, Align2::CENTER_BOTTOM, Color32::from_gray(0xd8), painter);
-        }
+    /// Show what lies over one picture.
+    fn overlay(&mut self, ui: &mut Ui, rect: Rect, session: &mut Session, index: usize, name: &str) {
+        let screen = &mut self.screens[index];
+        let (pointer, solids, overlays) = (&self.pointer, &self.solids, &mut self.overlays);
+        let is_home = index == self.home;
+        session.with_view(index, |session| {
+            let projection = Projection::new(&session.view.camera, rect);
+            screen.paint_overlays(ui, &projection, session, overlays, solids, (pointer, is_home));
+            screen.show_controls(ui, &projection, session, overlays, name);
+        });
     }
 }
 
-/// Field of view and distance to what is looked at, in the lower right corner.
-fn paint_camera_info(projection: &Projection, painter: &egui::Painter) {
-    let camera = projection.camera();
-    let text = format!("{}°  ·  {}", camera.fov_deg.round(), overlay::length_text(camera.eye.distance(camera.target)));
-    let at = projection.rect().right_bottom() - vec2(10.0, 8.0);
-    overlay::label(&text, at, Align2::RIGHT_BOTTOM, Color32::from_gray(0xc8), painter);
-}
-
-/// A length in points as a number of pixels.
-#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a positive number of pixels below 2³²")]
-fn physical(side: f32, pixels_per_point: f32) -> u32 {
-    (side * pixels_per_point).round().max(1.0) as u32
+/// What the mouse acts on in one viewport.
+fn canvas(ui: &Ui, rect: Rect, (index, count): (usize, usize)) -> Response {
+    let response = ui.interact(rect, ui.scope_id().with(("canvas", index)), Sense::click_and_drag());
+    let name = if count > 1 { format!("Viewport {}", index + 1) } else { "Viewport".to_owned() };
+    response.widget_info(|| WidgetInfo::labeled(egui::Role::Canvas, true, name.as_str()));
+    response
 }

@@ -5,11 +5,11 @@ use std::time::{Duration, Instant};
 use eframe::egui_wgpu::RenderState;
 use egui::TextureId;
 
-use crate::gpu::{Preview, Stats, View};
+use crate::gpu::{Preview, Stats, Survey, View};
 use crate::scene::Scene;
 
 /// A frame may take this long while something is dragged, before resolution is lowered.
-const FRAME_BUDGET: Duration = Duration::from_millis(40);
+pub const FRAME_BUDGET: Duration = Duration::from_millis(40);
 /// A band of refinement may take this many times as long.
 const REFINE_SHARE: u32 = 2;
 /// And this many times while nobody acts, so that most of the time is not spent on drawing the rest of the window: the
@@ -46,6 +46,8 @@ pub struct Picture {
     bands: u32,
     /// The device was too busy for what was asked for last.
     is_behind: bool,
+    /// Sums that had been made when the last survey was begun.
+    surveyed: u64,
 }
 
 impl Picture {
@@ -58,6 +60,7 @@ impl Picture {
             pace: Pace::new(FRAME_BUDGET),
             bands: 1,
             is_behind: false,
+            surveyed: 0,
         }
     }
 
@@ -127,6 +130,24 @@ impl Picture {
     /// Whether the picture is not yet of what was asked for last.
     pub fn is_behind(&self) -> bool {
         self.is_behind
+    }
+
+    /// The picture's numbers, once, some frames after it has changed; see [`Self::is_surveying`].
+    pub fn survey(&mut self) -> Option<Survey> {
+        let RenderState { device, queue, .. } = &self.render_state;
+        // A poll fails where the device was lost, which eframe reports.
+        let found = device.poll(wgpu::PollType::Poll).ok().and_then(|_| self.preview.take_survey());
+        let composites = self.preview.stats().composites;
+        if self.surveyed != composites && !self.preview.is_surveying() {
+            self.surveyed = composites;
+            self.preview.start_survey(device, queue);
+        }
+        found
+    }
+
+    /// Whether a survey is under way.
+    pub fn is_surveying(&self) -> bool {
+        self.preview.is_surveying()
     }
 
     /// What has been redone since the start.

@@ -1,4 +1,7 @@
-// Light layers, weighed and summed to radiance, with the emitters that are seen.
+// Light layers, weighed and summed to radiance and illuminance, with the emitters that are seen.
+
+// As `light::luminance_of`.
+const LUMINANCE = vec3f(0.21263901, 0.71516868, 0.07219232);
 
 struct Composite {
     // Not the first batch: it adds to `before`, where the emitters are drawn already.
@@ -61,25 +64,23 @@ const SKY = 4u;
 // Of each surface, a bit for each layer that lights it.
 @group(1) @binding(14) var<storage, read> reached: array<u32>;
 
+// Radiance; w is the illuminance of the surface that is seen, -1 where none is.
 @fragment
 fn composite(@builtin(position) pixel: vec4f) -> @location(0) vec4f {
     let at = vec2i(pixel.xy);
     let position = textureLoad(positions, at, 0);
-    var radiance = vec3f();
-    if composite_batch.adds == 1u {
-        radiance = textureLoad(before, at, 0).xyz;
-    }
     let emitter = emitter_seen(position);
     if emitter.w > 0.0 {
-        radiance = emitter.xyz;
-    } else if position.w == 0.0 {
-        radiance = radiance_of_distant(normalize(position.xyz));
-    } else {
-        let reflectance = reflectances[u32(textureLoad(normals, at, 0).w)];
-        let light = sum_of_layers(at);
-        radiance += reflectance.diffuse_over_pi * light.irradiance + reflectance.specular * light.specular;
+        return vec4f(emitter.xyz, -1.0);
     }
-    return vec4f(radiance, 1.0);
+    if position.w == 0.0 {
+        return vec4f(radiance_of_distant(normalize(position.xyz)), -1.0);
+    }
+    let reflectance = reflectances[u32(textureLoad(normals, at, 0).w)];
+    let light = sum_of_layers(at);
+    let radiance = reflectance.diffuse_over_pi * light.irradiance + reflectance.specular * light.specular;
+    let sum = vec4f(radiance, dot(LUMINANCE, light.irradiance));
+    return sum + select(vec4f(), textureLoad(before, at, 0), composite_batch.adds == 1u);
 }
 
 struct ColoredResponse {

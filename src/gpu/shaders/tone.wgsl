@@ -1,4 +1,4 @@
-// Exposure, the Khronos PBR Neutral tone curve and sRGB encoding, as `render::tone` does; running means over samples.
+// Exposure and the Khronos PBR Neutral tone curve, as `render::tone` has them; running means over samples.
 
 struct Tone {
     // 2^exposure / 100
@@ -13,24 +13,24 @@ struct Tone {
 @group(0) @binding(3) var<uniform> tone_settings: Tone;
 
 struct Resolved {
-    // Mean radiance.
+    // Mean radiance; w: mean of the illuminance, 0 counted where no surface is seen.
     @location(0) radiance: vec4f,
-    // Mean of what the tone curve makes of each sample, so that the edge of a bright light is smooth.
+    // Mean of what the tone curve makes of each sample, so that the edge of a bright light is smooth; w: the share of the
+    // samples that see a surface.
     @location(1) display: vec4f,
-    // The same, encoded.
-    @location(2) picture: vec4f,
 }
 
 @fragment
 fn tone(@builtin(position) pixel: vec4f) -> Resolved {
     let at = vec2i(pixel.xy);
-    var radiance = textureLoad(sample_radiance, at, 0).xyz;
-    var display = pbr_neutral(tone_settings.exposure * radiance);
+    let sample = textureLoad(sample_radiance, at, 0);
+    var radiance = vec4f(sample.xyz, max(sample.w, 0.0));
+    var display = vec4f(pbr_neutral(tone_settings.exposure * sample.xyz), select(0.0, 1.0, sample.w >= 0.0));
     if tone_settings.share < 1.0 {
-        radiance = mix(textureLoad(radiance_before, at, 0).xyz, radiance, tone_settings.share);
-        display = mix(textureLoad(display_before, at, 0).xyz, display, tone_settings.share);
+        radiance = mix(textureLoad(radiance_before, at, 0), radiance, tone_settings.share);
+        display = mix(textureLoad(display_before, at, 0), display, tone_settings.share);
     }
-    return Resolved(vec4f(radiance, 1.0), vec4f(display, 1.0), vec4f(srgb_encode(display), 1.0));
+    return Resolved(radiance, display);
 }
 
 fn pbr_neutral(color: vec3f) -> vec3f {
@@ -47,9 +47,4 @@ fn pbr_neutral(color: vec3f) -> vec3f {
     let new_peak = 1.0 - d * d / (peak + d - start);
     let g = 1.0 - 1.0 / (desaturation * (peak - new_peak) + 1.0);
     return mix(shifted * (new_peak / peak), vec3f(new_peak), g);
-}
-
-fn srgb_encode(linear: vec3f) -> vec3f {
-    let c = clamp(linear, vec3f(), vec3f(1.0));
-    return select(1.055 * pow(max(c, vec3f(1e-8)), vec3f(1.0 / 2.4)) - 0.055, 12.92 * c, c <= vec3f(0.0031308));
 }

@@ -1,14 +1,14 @@
 //! Outlines, symbols, directions and names of lights.
 
-use egui::{Align2, Color32, Painter, Pos2, Stroke, vec2};
+use egui::{Color32, Painter, Pos2, Stroke, vec2};
 use glam::DVec3;
 
-use super::{TEXT, label, line};
+use super::{TEXT, label_beside, line};
 use crate::editor::session::{Item, Selection};
 use crate::editor::viewport::pick::{SYMBOL, Solids, closed, outline};
 use crate::editor::viewport::projection::Projection;
 use crate::editor::viewport::symbol::Symbol;
-use crate::light::{Emitter, Light, Shape, SphereEmitter};
+use crate::light::{Emitter, Light, LineEmitter, Shape, SphereEmitter};
 use crate::math::frame;
 use crate::scene::Scene;
 
@@ -18,19 +18,33 @@ const TESTS: u32 = 24;
 const HIDDEN: f32 = 0.3;
 /// Length of the arrow in the direction of emission, points.
 const ARROW: f64 = 34.0;
+/// The same on a light that is not selected.
+const SHORT_ARROW: f64 = 18.0;
 /// Segments of a sphere's outline.
 const CIRCLE: u32 = 64;
+/// Opacity of lines on a rounded light, within its outline.
+const WITHIN: f32 = 0.45;
 
 /// What to say about each light.
 struct Look {
     stroke: Stroke,
-    named: bool,
     selected: bool,
 }
 
-/// Draw every light: selected ones in `accent`, with the direction they emit in; `hovered` a little stronger.
+/// A light's name, and where it belongs.
+struct Name<'a> {
+    text: &'a str,
+    at: Pos2,
+    color: Color32,
+    /// Names of what is selected or hovered have the best places.
+    first: bool,
+}
+
+/// Draw every light: selected ones in `accent`, `hovered` a little stronger; from the middle of flat ones an arrow to the
+/// lit side.
 ///
-/// Names are given to what is selected or hovered, and to all lights when there are few.
+/// Names are given to what is selected or hovered, and to all lights when there are few. They lie beside each other where
+/// they can.
 pub fn paint_lights(
     scene: &Scene,
     selection: &Selection,
@@ -41,6 +55,7 @@ pub fn paint_lights(
     painter: &Painter,
 ) {
     let few = scene.lights.len() <= 8;
+    let mut names = Vec::new();
     for (i, light) in scene.lights.iter().enumerate() {
         let item = Item::Light(i);
         let (selected, hovered) = (selection.contains(item), hovered == Some(item));
@@ -51,8 +66,17 @@ pub fn paint_lights(
             (false, true) => Stroke::new(1.75, color),
             (false, false) => Stroke::new(1.0, color.gamma_multiply(0.6)),
         };
-        let look = Look { stroke, named: few || selected || hovered, selected };
-        Painted { solids, projection, painter }.light(light, &look);
+        let anchor = Painted { solids, projection, painter }.light(light, &Look { stroke, selected });
+        let first = selected || hovered;
+        if let Some(at) = anchor.filter(|at| (few || first) && painter.clip_rect().contains(*at)) {
+            let color = if selected { color } else { TEXT.gamma_multiply(if light.muted { 0.5 } else { 0.85 }) };
+            names.push(Name { text: &light.name, at, color, first });
+        }
+    }
+    names.sort_by_key(|name| !name.first);
+    let mut taken = Vec::new();
+    for name in names {
+        label_beside(name.text, name.at, name.color, &mut taken, painter);
     }
 }
 
@@ -70,39 +94,43 @@ struct Painted<'a> {
 }
 
 impl Painted<'_> {
-    fn light(&self, light: &Light, look: &Look) {
-        let emitter = light.emitter();
-        let anchor = match &emitter {
+    /// Draws a light; where its name belongs, if it is in sight.
+    fn light(&self, light: &Light, look: &Look) -> Option<Pos2> {
+        match &light.emitter() {
             Emitter::Polygon(polygon) => self.flat(light, polygon.centroid(), polygon.normal, polygon.two_sided, look),
             Emitter::Disk(disk) => self.flat(light, disk.center, disk.normal, disk.two_sided, look),
             Emitter::Textured(textured) => {
                 self.flat(light, textured.point(0.5, 0.5), textured.normal, textured.two_sided, look)
             }
             Emitter::Cap(_) | Emitter::Sky(_) => self.far(light, look),
-            Emitter::Line(emitter) => {
-                let stroke = Stroke::new(look.stroke.width + 1.0, look.stroke.color);
-                self.hidden_line(emitter.a, emitter.b, stroke);
-                self.highest(&[emitter.a, emitter.b])
-            }
+            Emitter::Line(line) => self.line(line, look.stroke),
             Emitter::Sphere(sphere) => self.sphere(sphere, look.stroke),
             Emitter::Point(point) => self.point(point.position, look.stroke),
             Emitter::Directional(directional) => self.parallel(light, directional.to_light, look),
-        };
-        if let Some(at) = anchor.filter(|at| look.named && self.painter.clip_rect().contains(*at)) {
-            let color = if look.selected { look.stroke.color } else { TEXT.gamma_multiply(0.85) };
-            label(&light.name, at - vec2(0.0, 7.0), Align2::CENTER_BOTTOM, color, self.painter);
         }
     }
 
-    /// A flat light: its outline, and from its middle the directions it emits in when it is selected.
+    /// A line, and the ends of a tube.
+    fn line(&self, emitter: &LineEmitter, stroke: Stroke) -> Option<Pos2> {
+        let thick = Stroke::new(stroke.width + 1.0, stroke.color);
+        self.hidden_line(emitter.a, emitter.b, thick);
+        if let (Some(radius), Some(axis)) = (emitter.tube, (emitter.b - emitter.a).try_normalize()) {
+            let (u, v) = axis.any_orthonormal_pair();
+            for end in [emitter.a, emitter.b] {
+                self.rim(&circle(end, radius, [u, v]), stroke);
+            }
+        }
+        self.highest(&[emitter.a, emitter.b])
+    }
+
+    /// A flat light: its outline, and from its middle the directions it emits in.
     fn flat(&self, light: &Light, center: DVec3, normal: DVec3, two_sided: bool, look: &Look) -> Option<Pos2> {
         let outline = outline(light)?;
         closed(&outline).for_each(|[a, b]| self.hidden_line(a, b, look.stroke));
-        if look.selected {
-            self.direction(center, normal, look.stroke);
-            if two_sided {
-                self.direction(center, -normal, look.stroke);
-            }
+        let length = if look.selected { ARROW } else { SHORT_ARROW };
+        self.arrow(center, normal, length, look.stroke);
+        if two_sided {
+            self.arrow(center, -normal, length, look.stroke);
         }
         self.highest(&outline)
     }
@@ -147,9 +175,14 @@ impl Painted<'_> {
         }
     }
 
-    /// An arrow of constant size on screen.
+    /// An arrow of the usual size.
     fn direction(&self, from: DVec3, direction: DVec3, stroke: Stroke) {
-        let to = from + ARROW * self.projection.metres_per_point(from) * direction;
+        self.arrow(from, direction, ARROW, stroke);
+    }
+
+    /// An arrow of constant size on screen.
+    fn arrow(&self, from: DVec3, direction: DVec3, length: f64, stroke: Stroke) {
+        let to = from + length * self.projection.metres_per_point(from) * direction;
         let [Some(a), Some(b)] = [from, to].map(|p| self.projection.project(p)) else { return };
         if a.distance(b) < 6.0 {
             return;
@@ -162,7 +195,8 @@ impl Painted<'_> {
         self.painter.add(egui::Shape::convex_polygon(head, stroke.color, Stroke::NONE));
     }
 
-    /// The sphere's silhouette: a circle in the plane of the points where view rays touch it.
+    /// The sphere's silhouette, which is a circle in the plane of the points where view rays touch it; its equator and two
+    /// meridians.
     fn sphere(&self, sphere: &SphereEmitter, stroke: Stroke) -> Option<Pos2> {
         let to_eye = self.projection.camera().eye - sphere.center;
         let distance = to_eye.length();
@@ -172,20 +206,24 @@ impl Painted<'_> {
         let toward = to_eye / distance;
         let cos = sphere.radius / distance;
         let radius = sphere.radius * ((1.0 - cos) * (1.0 + cos)).sqrt();
-        let center = sphere.center + sphere.radius * cos * toward;
         let (u, v) = toward.any_orthonormal_pair();
-        let at = |i: u32| {
-            let (sin, cos) = (std::f64::consts::TAU * f64::from(i) / f64::from(CIRCLE)).sin_cos();
-            center + radius * (cos * u + sin * v)
-        };
-        let rim: Vec<DVec3> = (0..CIRCLE).map(at).collect();
+        let rim = circle(sphere.center + sphere.radius * cos * toward, radius, [u, v]);
+        let within = Stroke::new(1.0, stroke.color.gamma_multiply(WITHIN));
+        for axes in [[DVec3::X, DVec3::Y], [DVec3::Y, DVec3::Z], [DVec3::Z, DVec3::X]] {
+            self.rim(&circle(sphere.center, sphere.radius, axes), within);
+        }
+        self.rim(&rim, stroke);
+        self.highest(&rim)
+    }
+
+    /// A closed line, faint where surfaces hide it.
+    fn rim(&self, points: &[DVec3], stroke: Stroke) {
         let eye = self.projection.camera().eye;
-        for [a, b] in closed(&rim) {
+        for [a, b] in closed(points) {
             let faint = self.solids.hide(eye, a.midpoint(b));
             let color = if faint { stroke.color.gamma_multiply(HIDDEN) } else { stroke.color };
             line(a, b, Stroke::new(stroke.width, color), self.projection, self.painter);
         }
-        self.highest(&rim)
     }
 
     /// A small sun.
@@ -203,4 +241,13 @@ impl Painted<'_> {
     fn highest(&self, points: &[DVec3]) -> Option<Pos2> {
         points.iter().filter_map(|p| self.projection.project(*p)).min_by(|a, b| a.y.total_cmp(&b.y))
     }
+}
+
+/// A circle in the plane of two axes.
+fn circle(center: DVec3, radius: f64, [u, v]: [DVec3; 2]) -> Vec<DVec3> {
+    let at = |i: u32| {
+        let (sin, cos) = (std::f64::consts::TAU * f64::from(i) / f64::from(CIRCLE)).sin_cos();
+        center + radius * (cos * u + sin * v)
+    };
+    (0..CIRCLE).map(at).collect()
 }

@@ -12,7 +12,7 @@ pub use grid::{Grid, paint_work_plane};
 pub use lights::{paint_lights, paint_outline};
 pub use probe::{NORMAL as PROBE_NORMAL, paint_probe, paint_probe_at};
 
-use egui::{Align2, Color32, FontId, Painter, Pos2, Stroke, vec2};
+use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Stroke, Vec2, vec2};
 use glam::DVec3;
 
 use super::pick::Solids;
@@ -22,6 +22,9 @@ use super::projection::Projection;
 pub const REFUSED: Color32 = Color32::from_rgb(0xff, 0x45, 0x45);
 /// Names and numbers.
 const TEXT: Color32 = Color32::from_rgb(0xf0, 0xf2, 0xf4);
+
+/// Behind small text and numbers.
+pub const PLATE: Color32 = Color32::from_black_alpha(165);
 
 /// A straight line of the world.
 fn line(a: DVec3, b: DVec3, stroke: Stroke, projection: &Projection, painter: &Painter) {
@@ -43,11 +46,36 @@ pub fn paint_box(corners: &[DVec3], color: Color32, solids: &Solids, projection:
     }
 }
 
+/// Small text on a dark plate above `pos`, or beside or below it where that would cover one of `taken`, to which it is
+/// added. Where there is no room at all it is above.
+fn label_beside(text: &str, pos: Pos2, color: Color32, taken: &mut Vec<Rect>, painter: &Painter) {
+    let galley = painter.layout_no_wrap(text.to_owned(), FontId::proportional(11.0), color);
+    let places = [
+        (vec2(0.0, -7.0), Align2::CENTER_BOTTOM),
+        (vec2(12.0, -2.0), Align2::LEFT_CENTER),
+        (vec2(-12.0, -2.0), Align2::RIGHT_CENTER),
+        (vec2(0.0, 10.0), Align2::CENTER_TOP),
+        (vec2(0.0, -25.0), Align2::CENTER_BOTTOM),
+        (vec2(0.0, 28.0), Align2::CENTER_TOP),
+    ];
+    let rects = places.map(|(offset, anchor)| anchor.anchor_size(pos + offset, galley.size()).expand2(PADDING));
+    let is_free = |rect: &Rect| {
+        painter.clip_rect().contains_rect(*rect) && taken.iter().all(|other: &Rect| !other.intersects(*rect))
+    };
+    let plate = rects.into_iter().find(is_free).unwrap_or(rects[0]);
+    painter.rect_filled(plate, 3.0, Color32::from_black_alpha(150));
+    painter.galley(plate.min + PADDING, galley, color);
+    taken.push(plate);
+}
+
+/// Of a label's plate beside its text, points.
+const PADDING: Vec2 = vec2(4.0, 1.5);
+
 /// Small text on a dark plate, its `anchor` at `pos`.
 pub fn label(text: &str, pos: Pos2, anchor: Align2, color: Color32, painter: &Painter) {
     let galley = painter.layout_no_wrap(text.to_owned(), FontId::proportional(11.0), color);
     let rect = anchor.anchor_size(pos, galley.size());
-    let plate = rect.expand2(vec2(4.0, 1.5));
+    let plate = rect.expand2(PADDING);
     painter.rect_filled(plate, 3.0, Color32::from_black_alpha(150));
     painter.galley(rect.min, galley, color);
 }
