@@ -3,12 +3,16 @@
 use std::path::Path;
 
 use egui::{CentralPanel, Frame, Margin, Panel, Ui, ViewportCommand};
-use egui_tiles::Tree;
+use egui_tiles::{Tile, Tree};
 
 use super::commands::{self, Command};
 use super::dialogs::Dialogs;
+use super::drops;
 use super::files::{Files, Then};
-use super::panes::{self, Choice, Messages, Pane, Panes, Views};
+use super::folders::Folders;
+use super::library::thumbnails::Thumbnails;
+use super::panes::{self, Choice, Keys, Library, Messages, Outcome, Palette, Pane, Panes, Recover, Views};
+use super::recovery::{Offer, Recovery};
 use super::session::Session;
 use super::theme;
 use super::viewport::Viewport;
@@ -19,6 +23,8 @@ use crate::scene;
 const LAYOUT_KEY: &str = "layout-2";
 /// Where the recent files are kept between runs.
 const RECENT_KEY: &str = "recent";
+/// Where it is kept that the first steps need not be shown again.
+const STEPS_KEY: &str = "first-steps-done";
 
 /// See the [module](self).
 pub struct App {
@@ -31,24 +37,46 @@ pub struct App {
     layout: Tree<Pane>,
     views: Views,
     messages: Messages,
-    keys_shown: bool,
+    keys: Option<Keys>,
+    palette: Option<Palette>,
+    recovery: Recovery,
+    /// What was not saved when the program ended before, and has not been decided on.
+    offers: Vec<Offer>,
+    first_steps: bool,
     title: String,
 }
 
 impl App {
     /// A window on the scene at `path`, or on the one that shows what the program is for.
-    pub fn new(cc: &eframe::CreationContext<'_>, path: Option<&Path>, dialogs: Box<dyn Dialogs>) -> Self {
+    pub fn new(
+        cc: &eframe::CreationContext<'_>,
+        path: Option<&Path>,
+        dialogs: Box<dyn Dialogs>,
+        folders: &Folders,
+    ) -> Self {
         theme::install(&cc.egui_ctx);
         let recent = cc.storage.and_then(|storage| eframe::get_value(storage, RECENT_KEY));
         let layout = cc.storage.and_then(|storage| eframe::get_value(storage, LAYOUT_KEY));
+        // Where nothing is kept between runs, they would be shown at every start.
+        let is_new = cc.storage.is_some_and(|storage| eframe::get_value::<bool>(storage, STEPS_KEY).is_none());
+        let (recovery, offers) = Recovery::new(folders.recovery());
         let mut app = Self {
             session: Session::new(scene::first_light(), None),
             files: Files::new(recent.unwrap_or_default()),
             dialogs,
             layout: layout.unwrap_or_else(panes::default_layout),
-            views: Views { viewport: cc.wgpu_render_state.as_ref().map(Viewport::new), ..Views::default() },
+            views: Views {
+                viewport: cc.wgpu_render_state.as_ref().map(Viewport::new),
+                library: Library::new(folders),
+                thumbnails: Thumbnails::new(folders.thumbnails()),
+                ..Views::default()
+            },
             messages: Messages::default(),
-            keys_shown: false,
+            keys: None,
+            palette: None,
+            recovery,
+            offers,
+            first_steps: is_new && path.is_none(),
             title: String::new(),
         };
         if let Some(path) = path {
@@ -62,9 +90,17 @@ impl App {
         self.layout = panes::default_layout();
     }
 
+    /// Bring a pane to the front of its tabs.
+    pub fn show_pane(&mut self, pane: Pane) {
+        self.layout.make_active(|_, tile| matches!(tile, Tile::Pane(other) if *other == pane));
+    }
+
     /// Whether work is under way, off this thread, that will change what is shown.
     pub fn is_busy(&self) -> bool {
-        self.files.is_waiting() || self.views.plots.is_busy()
+        self.files.is_waiting()
+            || self.views.plots.is_busy()
+            || self.views.thumbnails.is_busy()
+            || self.recovery.is_busy()
     }
 
     /// How often the viewport's picture was redone, by steps; none without a device to draw on.
@@ -74,27 +110,39 @@ impl App {
 
     /// Show or hide the list of keys.
     pub fn toggle_keys(&mut self) {
-        self.keys_shown ^= true;
+        self.keys = if self.keys.is_some() { None } else { Some(Keys::default()) };
+    }
+
+    /// Show the command palette.
+    pub fn open_palette(&mut self) {
+        self.palette = Some(Palette::default());
+    }
+
+    /// Show what to try first.
+    pub fn show_first_steps(&mut self) {
+        self.first_steps = true;
+    }
+
+    /// Ask in the library what the preset of the selected lights shall be called.
+    pub fn name_preset(&mut self) {
+        self.show_pane(Pane::Library);
+        self.views.library.name_selection(&self.session);
     }
 
     /// Files dropped on the window, and the window asked to close.
     fn handle_events(&mut self, ctx: &egui::Context) {
-        let dropped = ctx.input(|input| input.raw.dropped_files.first().map(|file| file.path().to_path_buf()));
-        match dropped {
-            Some(path) if path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("obj")) => {
-                self.use_mesh(&path, None);
-            }
-            Some(path) => self.leave(ctx, Then::Open(path)),
-            None => {}
-        }
+        self.take_drops(ctx);
         let closing = ctx.input(|input| input.viewport().close_requested());
         if closing && !self.files.may_close && self.session.history.is_modified() {
             ctx.send_viewport_cmd(ViewportCommand::CancelClose);
             self.files.guard = Some(Then::Quit);
         }
         self.poll_dialogs(ctx);
-        if self.files.guard.is_none() {
+        if self.files.guard.is_none() && self.offers.is_empty() {
             commands::run_shortcuts(self, ctx);
+        }
+        if let Some(failure) = self.recovery.update(ctx, &self.session) {
+            self.session.failed(failure);
         }
     }
 
@@ -102,7 +150,7 @@ impl App {
         let bar = |ui: &Ui| Frame::new().fill(ui.visuals().panel_fill).inner_margin(Margin::symmetric(8, 3));
         let mut chosen = Vec::new();
         Panel::top("menu").frame(bar(ui)).show(ui, |ui| {
-            chosen.extend(panes::menu_bar(ui, &self.session, &self.files));
+            chosen.extend(panes::menu_bar(ui, &self.session, &self.files, &mut self.views.thumbnails));
         });
         Panel::top("toolbar").frame(bar(ui)).show(ui, |ui| chosen.extend(panes::toolbar(ui, &mut self.session)));
         Panel::bottom("status").frame(bar(ui)).show(ui, |ui| self.status(ui));
@@ -144,10 +192,48 @@ impl App {
                 None => {}
             }
         }
-        if self.keys_shown && panes::keys(ctx, &self.session) {
-            self.keys_shown = false;
+        self.ask_recover(ctx);
+        if self.keys.as_mut().is_some_and(|keys| keys.show(ctx, &self.session)) {
+            self.keys = None;
         }
-        self.messages.show(ctx, &mut self.session);
+        if self.first_steps && self.offers.is_empty() {
+            self.first_steps = !panes::first_steps(ctx);
+        }
+        if let Some(palette) = &mut self.palette {
+            match palette.show(ctx, &self.session) {
+                Outcome::Open => {}
+                Outcome::Closed => self.palette = None,
+                Outcome::Chosen(command) => {
+                    self.palette = None;
+                    command.run(self, ctx);
+                }
+            }
+        }
+        if let Some(command) = self.messages.show(ctx, &mut self.session) {
+            command.run(self, ctx);
+        }
+        if let Some(hint) = drops::hint(ctx) {
+            panes::drop_hint(ctx, hint);
+        }
+    }
+
+    /// Offer what was not saved when the program ended, one after the other.
+    fn ask_recover(&mut self, ctx: &egui::Context) {
+        let Some(offer) = self.offers.first() else { return };
+        let thumbnail = self.views.thumbnails.get(ctx, &offer.source());
+        let Some(answer) = panes::ask_recover(ctx, offer, thumbnail) else { return };
+        let offer = self.offers.remove(0);
+        match answer {
+            Recover::Open => {
+                self.recover(&offer);
+                // What was left goes when the same work has been written aside anew.
+                self.recovery.adopt(&offer, &self.session);
+                self.offers.clear();
+            }
+            Recover::Discard => offer.discard(),
+            Recover::Later => self.offers.clear(),
+        }
+        ctx.request_repaint();
     }
 
     /// The window's title, when it has changed.
@@ -170,6 +256,7 @@ impl eframe::App for App {
         // Whatever the pointer is over says what it would do.
         let shown_hint = std::mem::take(&mut self.session.hint);
         chosen.extend(self.panes(ui));
+        chosen.append(&mut self.session.asked);
         for command in chosen {
             command.run(self, &ctx);
         }
@@ -184,5 +271,12 @@ impl eframe::App for App {
     fn save(&mut self, storage: &mut dyn eframe::Storage) {
         eframe::set_value(storage, LAYOUT_KEY, &self.layout);
         eframe::set_value(storage, RECENT_KEY, &self.files.recent);
+        if !self.first_steps {
+            eframe::set_value(storage, STEPS_KEY, &true);
+        }
+    }
+
+    fn on_exit(&mut self) {
+        self.recovery.close();
     }
 }

@@ -111,6 +111,11 @@ impl Session {
             self.failed(format!("“{name}” is in use: give its surfaces and plots another material first"));
         }
         items.retain(|item| !kept.contains(item));
+        match items.as_slice() {
+            [] => {}
+            [item] => self.undoable(format!("Deleted {}", item.name(self.scene()).unwrap_or_default())),
+            several => self.undoable(format!("Deleted {} things", several.len())),
+        }
         // From the end of each list, so that what is left keeps its place until it is its turn.
         items.sort_unstable();
         self.edit("Delete", |scene| {
@@ -119,6 +124,34 @@ impl Session {
             }
         });
         self.selection.clear();
+    }
+
+    /// Whether a property holds for all selected lights.
+    pub fn all_selected(&self, has: impl Fn(&Self, usize) -> bool) -> bool {
+        let lights = selected_lights(self);
+        !lights.is_empty() && lights.into_iter().all(|index| has(self, index))
+    }
+
+    /// Mute the selected lights, or unmute them where all are muted.
+    pub fn toggle_mute_selection(&mut self) {
+        let lights = selected_lights(self);
+        let muted = !self.all_selected(|session, index| session.scene().lights[index].muted);
+        self.edit(if muted { "Mute" } else { "Unmute" }, |scene| {
+            for index in lights {
+                scene.lights[index].muted = muted;
+            }
+        });
+    }
+
+    /// Solo the selected lights, or no more where all are soloed.
+    pub fn toggle_solo_selection(&mut self) {
+        let solo = !self.all_selected(|session, index| session.is_solo(&session.scene().lights[index].name));
+        for index in selected_lights(self) {
+            let name = self.scene().lights[index].name.clone();
+            if self.is_solo(&name) != solo {
+                self.toggle_solo(&name);
+            }
+        }
     }
 
     /// Give `item` another name; one that is empty or taken is refused, and the user is told.
@@ -169,6 +202,15 @@ impl Item {
             Self::Plot(_) => Box::new(scene.plots.iter().map(|plot| plot.name.as_str())),
         }
     }
+}
+
+/// The selected lights, by their places.
+fn selected_lights(session: &Session) -> Vec<usize> {
+    let lights = session.selection.items().iter().filter_map(|item| match item {
+        Item::Light(index) => Some(*index),
+        _ => None,
+    });
+    lights.filter(|index| *index < session.scene().lights.len()).collect()
 }
 
 /// A light of that shape above the origin, of an everyday strength.

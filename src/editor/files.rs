@@ -6,8 +6,9 @@ use super::app::App;
 use super::dialogs::{Answer, Reply};
 use super::edits;
 use super::presets::Preset;
-use super::session::{Session, ViewState};
-use crate::scene::{self, Scene};
+use super::recovery::Offer;
+use super::session::{Notice, Session, ViewState};
+use crate::scene::{self, History, Scene};
 use crate::surface::Shape;
 
 /// How many recent files are kept.
@@ -113,10 +114,7 @@ impl App {
                 self.files.remember(path);
                 self.replace(scene, Some(path.to_owned()));
             }
-            Err(error) => {
-                self.files.recent.retain(|other| other != path);
-                self.session.failed(error.to_string());
-            }
+            Err(error) => self.session.failed(error.to_string()),
         }
     }
 
@@ -163,7 +161,7 @@ impl App {
         self.files.waiting = Some((answer, Purpose::Pattern(light)));
     }
 
-    fn use_pattern(&mut self, path: &Path, light: Option<&str>) {
+    pub(super) fn use_pattern(&mut self, path: &Path, light: Option<&str>) {
         match (scene::import_pattern(path, self.session.path.as_deref()), light) {
             (Ok(pattern), None) => self.session.add_light(edits::textured(pattern)),
             (Ok(pattern), Some(name)) => self.session.replace_pattern(name, pattern),
@@ -189,7 +187,38 @@ impl App {
     /// Add the lights of a preset to the document.
     pub fn insert_preset(&mut self, preset: Preset) {
         match preset.load() {
-            Ok(scene) => self.session.insert_lights(&format!("Insert {}", preset.title()), &scene),
+            Ok(scene) => self.insert_scene(&preset.title(), &scene),
+            Err(error) => self.session.failed(error.to_string()),
+        }
+    }
+
+    /// Add the lights of a preset in a file to the document.
+    pub fn insert_file(&mut self, path: &Path) {
+        match scene::load(path) {
+            Ok(scene) => {
+                let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+                let title = if scene.name.is_empty() { stem.into_owned() } else { scene.name.clone() };
+                self.insert_scene(&title, &scene);
+            }
+            Err(error) => self.session.failed(error.to_string()),
+        }
+    }
+
+    fn insert_scene(&mut self, title: &str, scene: &Scene) {
+        self.session.insert_lights(&format!("Insert {title}"), scene);
+        self.session.undoable(format!("Inserted {title}"));
+    }
+
+    /// Open work that was not saved when the program ended. It is a changed document until it is saved.
+    pub(super) fn recover(&mut self, offer: &Offer) {
+        match offer.load() {
+            Ok(scene) => {
+                let saved = offer.path.as_deref().and_then(|path| scene::load(path).ok()).unwrap_or_default();
+                self.replace(saved, offer.path.clone());
+                self.session.history = History::changed(scene, self.session.scene());
+                self.session.reset_view();
+                self.session.done(format!("Recovered {}", offer.title));
+            }
             Err(error) => self.session.failed(error.to_string()),
         }
     }
@@ -223,7 +252,7 @@ impl App {
                     self.go_on(ctx, then);
                 }
             }
-            Err(error) => self.session.failed(error.to_string()),
+            Err(error) => self.session.notices.push(Notice::Unsaved(error.to_string())),
         }
     }
 

@@ -1,23 +1,29 @@
 //! The window.
 //!
 //! [`app::App`] puts it together. The document and all that is selected and shown is a [`Session`]; menu, keys and
-//! toolbar share one list of [`commands`]; files are chosen through [`dialogs`].
+//! toolbar share one list of [`commands`]; files are chosen through [`dialogs`]. [`library`] has what can be inserted and
+//! opened, [`recovery`] keeps unsaved work.
 
 pub mod app;
 pub mod commands;
 pub mod dialogs;
 pub mod files;
+pub mod folders;
+pub mod fuzzy;
 pub mod handles;
 pub mod jobs;
+pub mod library;
 pub mod light_list;
 pub mod panes;
 pub mod presets;
+pub mod recovery;
 pub mod session;
 pub mod theme;
 pub mod tools;
 pub mod variants;
 pub mod viewport;
 
+mod drops;
 mod edits;
 
 pub use session::{Item, Session, Tool};
@@ -41,6 +47,9 @@ pub enum EditorError {
     Window(eframe::Error),
 }
 
+/// What the system calls the program, in the names of windows and folders.
+const APP_ID: &str = "softbox";
+
 /// The commands that need neither display nor adapter.
 const HEADLESS: &str = "render, plot, probe, check, verify, schema";
 
@@ -54,7 +63,7 @@ pub fn run(path: Option<PathBuf>) -> Result<(), EditorError> {
     }
     let options = eframe::NativeOptions {
         viewport: ViewportBuilder::default()
-            .with_app_id("softbox")
+            .with_app_id(APP_ID)
             .with_title("Softbox")
             .with_inner_size([1280.0, 760.0])
             .with_min_inner_size([900.0, 560.0]),
@@ -62,8 +71,9 @@ pub fn run(path: Option<PathBuf>) -> Result<(), EditorError> {
         system_font_fallback: false,
         ..eframe::NativeOptions::default()
     };
-    let create: eframe::AppCreator<'_> =
-        Box::new(move |cc| Ok(Box::new(app::App::new(cc, path.as_deref(), Box::new(dialogs::Native)))));
+    let create: eframe::AppCreator<'_> = Box::new(move |cc| {
+        Ok(Box::new(app::App::new(cc, path.as_deref(), Box::new(dialogs::Native), &folders::Folders::of_user())))
+    });
     eframe::run_native("softbox", options, create).map_err(|error| match error {
         eframe::Error::WinitEventLoop(_) | eframe::Error::Winit(_) => EditorError::NoDisplay,
         eframe::Error::Wgpu(egui_wgpu::WgpuError::RequestAdapterError(_)) => EditorError::NoAdapter,

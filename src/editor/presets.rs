@@ -5,7 +5,7 @@ use std::io;
 use crate::scene::{self, LoadError, Scene};
 
 /// A scene or light preset built into the program.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Preset {
     /// The file's name without its extension.
     stem: &'static str,

@@ -7,6 +7,7 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use super::commands::Command;
 use super::handles::corners::Corner;
 use super::handles::frame::Transform;
 use super::handles::place::Place;
@@ -105,8 +106,12 @@ pub struct PlotState {
 pub enum Notice {
     /// It worked.
     Done(String),
+    /// It worked, and may not have been meant: it can be undone.
+    Undoable(String),
     /// It did not, and why.
     Failed(String),
+    /// The document was not saved, and why; it can be saved elsewhere.
+    Unsaved(String),
 }
 
 /// See the [module](self).
@@ -142,6 +147,12 @@ pub struct Session {
     pub notices: Vec<Notice>,
     /// Groups of lights whose lights are not listed.
     pub closed_groups: BTreeSet<String>,
+    /// Commands asked for where none can be run; they are, at the end of the frame.
+    pub asked: Vec<Command>,
+    /// What is under the pointer in the viewport.
+    pub under_pointer: Option<Item>,
+    /// The user's own presets are others than those that were read.
+    pub library_changed: bool,
     solo: BTreeSet<String>,
     shown: Vec<Shown>,
 }
@@ -323,6 +334,9 @@ impl Session {
             hint: String::new(),
             notices: Vec::new(),
             closed_groups: BTreeSet::new(),
+            asked: Vec::new(),
+            under_pointer: None,
+            library_changed: false,
             solo: BTreeSet::new(),
             shown: Vec::new(),
         }
@@ -451,6 +465,11 @@ impl Session {
     /// Tell the user that something worked.
     pub fn done(&mut self, text: impl Into<String>) {
         self.notices.push(Notice::Done(text.into()));
+    }
+
+    /// Tell the user what was done to the document, and let them take it back at once.
+    pub fn undoable(&mut self, text: impl Into<String>) {
+        self.notices.push(Notice::Undoable(text.into()));
     }
 
     /// Tell the user that something did not work.

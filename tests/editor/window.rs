@@ -10,6 +10,7 @@ use egui_kittest::kittest::Queryable;
 use egui_kittest::{Harness, Node, SnapshotOptions};
 use softbox::editor::app::App;
 use softbox::editor::dialogs::{Reply, Scripted};
+use softbox::editor::folders::Folders;
 use softbox::editor::{Item, Session};
 use softbox::scene::Scene;
 
@@ -46,8 +47,19 @@ impl Window {
         Self::on(Some(text))
     }
 
+    /// A window that opens after this one has come to its end without being closed.
+    pub(crate) fn crash(self) -> Self {
+        let Self { harness, folder } = self;
+        drop(harness);
+        Self::in_folder(folder, None)
+    }
+
     fn on(text: Option<&str>) -> Self {
-        let folder = tempfile::tempdir().expect("a folder for the test");
+        Self::in_folder(tempfile::tempdir().expect("a folder for the test"), text)
+    }
+
+    fn in_folder(folder: tempfile::TempDir, text: Option<&str>) -> Self {
+        let folders = Folders::below(folder.path());
         let path = folder.path().join("scene.toml");
         if let Some(text) = text {
             std::fs::write(&path, text).expect("the scene is written");
@@ -60,7 +72,7 @@ impl Window {
             .with_options(options())
             .wgpu()
             .build_eframe(|cc| {
-                let mut app = App::new(cc, open.as_deref(), Box::new(Scripted::default()));
+                let mut app = App::new(cc, open.as_deref(), Box::new(Scripted::default()), &folders);
                 // Only what is looked at has to be smooth.
                 app.session.view.refines = false;
                 app

@@ -9,6 +9,21 @@ use crate::editor::session::Tool;
 use crate::editor::tools::typed;
 
 impl Command {
+    /// Commands without a key that the palette offers, besides those that add something and the view's methods.
+    pub const UNKEYED: &[Self] = &[
+        Self::SelectNone,
+        Self::AddMaterial,
+        Self::SavePreset,
+        Self::ResetView,
+        Self::SaveView,
+        Self::ToggleEmitters,
+        Self::ToggleGrid,
+        Self::Library,
+        Self::FirstSteps,
+        Self::ResetLayout,
+        Self::ToggleTheme,
+    ];
+
     /// All commands that have a key, in the order of the list of keys.
     pub const KEYED: &[Self] = &[
         Self::New,
@@ -50,6 +65,12 @@ impl Command {
         Self::List(ListCommand::Variant(1)),
         Self::List(ListCommand::Variant(2)),
         Self::List(ListCommand::Variant(3)),
+        Self::ToggleMute,
+        Self::ToggleSolo,
+        Self::ZoomIn,
+        Self::ZoomOut,
+        Self::ZoomReset,
+        Self::Palette,
         Self::Keys,
     ];
 
@@ -86,6 +107,12 @@ impl Command {
             Self::ToggleSnap => (Modifiers::NONE, Key::G),
             Self::ToggleAxes => (Modifiers::NONE, Key::X),
             Self::NextPivot => (Modifiers::NONE, Key::Period),
+            Self::ToggleMute => (Modifiers::COMMAND, Key::M),
+            Self::ToggleSolo => (CTRL_SHIFT, Key::M),
+            Self::ZoomIn => (Modifiers::COMMAND, Key::Plus),
+            Self::ZoomOut => (Modifiers::COMMAND, Key::Minus),
+            Self::ZoomReset => (Modifiers::COMMAND, Key::Num0),
+            Self::Palette => (Modifiers::COMMAND, Key::P),
             Self::Keys => (Modifiers::NONE, Key::F1),
             Self::List(command) => return command.shortcut(),
             _ => return None,
@@ -95,7 +122,19 @@ impl Command {
 
     /// Whether its key means the same while text is edited.
     fn works_while_typing(&self) -> bool {
-        matches!(self, Self::New | Self::Open | Self::Save | Self::SaveAs | Self::Quit | Self::Keys)
+        matches!(
+            self,
+            Self::New
+                | Self::Open
+                | Self::Save
+                | Self::SaveAs
+                | Self::Quit
+                | Self::ZoomIn
+                | Self::ZoomOut
+                | Self::ZoomReset
+                | Self::Palette
+                | Self::Keys
+        )
     }
 }
 

@@ -54,6 +54,8 @@ impl Command {
             Self::Delete if session.corner().is_some() => "Delete vertex".to_owned(),
             Self::OpenFile(path) => path.display().to_string(),
             Self::OpenExample(preset) | Self::InsertPreset(preset) => preset.title(),
+            Self::InsertFile(path) => path.display().to_string(),
+            Self::Select(item) => format!("Select {}", item.name(session.scene()).unwrap_or_default()),
             Self::AddLight(kind) => kind.label().to_owned(),
             Self::AddSurface(kind) => kind.label(),
             Self::Outline(kind) => kind.name().to_owned(),
@@ -102,6 +104,15 @@ impl Command {
             Self::Pivot(pivot) => pivot.label(),
             Self::NextPivot => "Next pivot",
             Self::ResetLayout => "Reset layout",
+            Self::SavePreset => "Save selection as preset…",
+            Self::ToggleMute => "Mute",
+            Self::ToggleSolo => "Solo",
+            Self::ZoomIn => "Larger interface",
+            Self::ZoomOut => "Smaller interface",
+            Self::ZoomReset => "Usual interface size",
+            Self::Library => "Show library",
+            Self::Palette => "Find a command…",
+            Self::FirstSteps => "First steps",
             Self::Keys => "Keys",
             _ => "",
         }
@@ -116,6 +127,12 @@ impl Command {
             Self::Tool(Tool::Place(place)) => Some(place.hint()),
             Self::ToggleAxes => Some("Handles move and turn along the selection's own axes"),
             Self::Outline(kind) => Some(kind.hint()),
+            Self::SavePreset => Some("Keep the selected lights, to insert them into other scenes"),
+            Self::ToggleMute => Some("Switch the selected lights off or on; nothing is shaded again"),
+            Self::ToggleSolo => Some("Show the selected lights without the others; this is not saved"),
+            Self::SaveView => Some("Saved with the scene, and used when it is rendered"),
+            Self::Palette => Some("Any command, preset or thing in the scene, by a few letters"),
+            Self::ResetLayout => Some("Put all panes where they were at first"),
             _ => None,
         }
     }
@@ -130,10 +147,21 @@ impl Command {
             | Self::Save
             | Self::SaveAs
             | Self::Quit => Category::File,
-            Self::Undo | Self::Redo | Self::Duplicate | Self::Delete | Self::SelectAll | Self::SelectNone => {
-                Category::Edit
-            }
-            Self::AddLight(_) | Self::ReplacePattern(_) | Self::InsertPreset(_) | Self::List(_) => Category::Light,
+            Self::Undo
+            | Self::Redo
+            | Self::Duplicate
+            | Self::Delete
+            | Self::SelectAll
+            | Self::SelectNone
+            | Self::Select(_) => Category::Edit,
+            Self::AddLight(_)
+            | Self::ReplacePattern(_)
+            | Self::InsertPreset(_)
+            | Self::InsertFile(_)
+            | Self::List(_)
+            | Self::SavePreset
+            | Self::ToggleMute
+            | Self::ToggleSolo => Category::Light,
             Self::AddSurface(_) | Self::ReplaceMesh(_) | Self::AddMaterial | Self::AddPlot(_) => Category::Add,
             Self::Tool(_)
             | Self::Outline(_)
@@ -150,7 +178,15 @@ impl Command {
             | Self::ToggleEmitters
             | Self::ToggleShadows
             | Self::ToggleGrid => Category::View,
-            Self::ResetLayout | Self::ToggleTheme | Self::Keys => Category::Window,
+            Self::ZoomIn
+            | Self::ZoomOut
+            | Self::ZoomReset
+            | Self::Library
+            | Self::Palette
+            | Self::FirstSteps
+            | Self::ResetLayout
+            | Self::ToggleTheme
+            | Self::Keys => Category::Window,
         }
     }
 }

@@ -19,6 +19,7 @@ use super::app::App;
 use super::edits;
 use super::files::Then;
 use super::handles::frame::{Axes, Pivot};
+use super::panes::{self, Pane};
 use super::presets::Preset;
 use super::session::{Framing, Item, Session, Tool};
 use super::tools::outline::OutlineKind;
@@ -55,12 +56,22 @@ pub enum Command {
     SelectAll,
     /// Select nothing.
     SelectNone,
+    /// Select one thing.
+    Select(Item),
+    /// Switch the selected lights off or on.
+    ToggleMute,
+    /// Show what the selected lights do alone, or no more.
+    ToggleSolo,
     /// Add a light of a shape.
     AddLight(LightKind),
     /// Give the light of that name another pattern.
     ReplacePattern(String),
     /// Add the lights of a preset.
     InsertPreset(Preset),
+    /// Add the lights of a preset in a file.
+    InsertFile(PathBuf),
+    /// Keep the selected lights as a preset.
+    SavePreset,
     /// Add a surface.
     AddSurface(SurfaceKind),
     /// Give the surface of that name another mesh.
@@ -105,6 +116,18 @@ pub enum Command {
     ToggleTheme,
     /// Do something to the list of lights or to variants.
     List(ListCommand),
+    /// Make everything in the window larger.
+    ZoomIn,
+    /// Make everything in the window smaller.
+    ZoomOut,
+    /// Show everything in the window at its usual size.
+    ZoomReset,
+    /// Bring the library to the front.
+    Library,
+    /// Find a command by its name.
+    Palette,
+    /// Show what to try first.
+    FirstSteps,
     /// Show the list of keys.
     Keys,
 }
@@ -125,8 +148,22 @@ impl Command {
             Self::Redo => session.history.redo_label().is_some(),
             Self::Duplicate | Self::Delete | Self::Focus | Self::SelectNone => session.selection.primary().is_some(),
             Self::List(command) => command.enabled(session),
+            Self::SavePreset | Self::ToggleMute | Self::ToggleSolo => panes::has_lights(session),
+            Self::OpenFile(path) | Self::InsertFile(path) => path.exists(),
             _ => true,
         }
+    }
+
+    /// All that the palette offers but things of the scene and what comes with the program.
+    pub fn all(session: &Session) -> Vec<Self> {
+        let plots = [PlotKind::Tilt, PlotKind::View, PlotKind::Line, PlotKind::Distance];
+        let methods = view_methods(session.scene());
+        let others = Self::UNKEYED.iter().chain(Self::KEYED).cloned();
+        let lights = LightKind::ALL.map(Self::AddLight);
+        let surfaces = SurfaceKind::ALL.map(Self::AddSurface);
+        let added = lights.into_iter().chain(surfaces).chain(plots.map(Self::AddPlot));
+        let kinds = OutlineKind::ALL.map(Self::Outline).into_iter().chain(Pivot::ALL.map(Self::Pivot));
+        others.chain(added).chain(kinds).chain(methods.into_iter().map(Self::Method)).collect()
     }
 
     /// For what is on or off, or one of several: whether it is on.
@@ -141,6 +178,10 @@ impl Command {
             Self::ToggleSnap => Some(session.work_plane.snap),
             Self::ToggleAxes => Some(session.transform.axes == Axes::Local),
             Self::Pivot(pivot) => Some(session.transform.pivot == *pivot),
+            Self::ToggleMute => Some(session.all_selected(|session, index| session.scene().lights[index].muted)),
+            Self::ToggleSolo => {
+                Some(session.all_selected(|session, index| session.is_solo(&session.scene().lights[index].name)))
+            }
             _ => None,
         }
     }
@@ -168,12 +209,22 @@ impl Command {
                 session.selection.set(surfaces.chain(lights));
             }
             Self::SelectNone => session.selection.clear(),
+            Self::Select(item) => {
+                session.selection.set([item]);
+                if let Item::Plot(index) = item {
+                    session.plots.active = index;
+                }
+            }
+            Self::ToggleMute => session.toggle_mute_selection(),
+            Self::ToggleSolo => session.toggle_solo_selection(),
             Self::AddLight(kind) => match kind.shape() {
                 Some(shape) => session.add_light(edits::new_light(shape)),
                 None => app.choose_pattern(ctx, None),
             },
             Self::ReplacePattern(light) => app.choose_pattern(ctx, Some(light)),
             Self::InsertPreset(preset) => app.insert_preset(preset),
+            Self::InsertFile(path) => app.insert_file(&path),
+            Self::SavePreset => app.name_preset(),
             Self::AddSurface(kind) => match kind.shape() {
                 Some(shape) => session.add_surface(shape),
                 None => app.choose_mesh(ctx, None),
@@ -205,6 +256,12 @@ impl Command {
                 ctx.set_theme(other);
             }
             Self::List(command) => command.run(session),
+            Self::ZoomIn => egui::gui_zoom::zoom_in(ctx),
+            Self::ZoomOut => egui::gui_zoom::zoom_out(ctx),
+            Self::ZoomReset => ctx.set_zoom_factor(1.0),
+            Self::Library => app.show_pane(Pane::Library),
+            Self::Palette => app.open_palette(),
+            Self::FirstSteps => app.show_first_steps(),
             Self::Keys => app.toggle_keys(),
         }
     }
@@ -218,6 +275,16 @@ fn upper_first(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_palette_has_every_command_once_with_a_name_of_its_own() {
+        let session = Session::new(Scene::default(), None);
+        let all = Command::all(&session);
+        for (i, command) in all.iter().enumerate() {
+            assert!(!command.label(&session).is_empty(), "{command:?} has no label");
+            assert!(!all[..i].contains(command), "{command:?} is there twice");
+        }
+    }
 
     #[test]
     fn the_view_offers_the_methods_of_the_scenes_lights_from_exact_to_point() {

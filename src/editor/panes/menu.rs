@@ -1,5 +1,7 @@
 //! The menu bar and the toolbar.
 
+use std::path::Path;
+
 use egui::{Button, Ui, vec2};
 use egui_material_icons::MaterialIcon;
 use egui_material_icons::icons;
@@ -8,6 +10,8 @@ use crate::editor::commands::{Command, LightKind, SurfaceKind, view_methods};
 use crate::editor::files::Files;
 use crate::editor::handles::place::Place;
 use crate::editor::handles::{self, frame::Pivot};
+use crate::editor::library::Source;
+use crate::editor::library::thumbnails::Thumbnails;
 use crate::editor::presets;
 use crate::editor::session::{Session, Tool};
 use crate::editor::theme;
@@ -16,10 +20,10 @@ use crate::editor::tools::outline::OutlineKind;
 use crate::scene::PlotKind;
 
 /// The menu bar; the command that was chosen.
-pub fn menu_bar(ui: &mut Ui, session: &Session, files: &Files) -> Option<Command> {
+pub fn menu_bar(ui: &mut Ui, session: &Session, files: &Files, thumbnails: &mut Thumbnails) -> Option<Command> {
     let mut chosen = None;
     egui::MenuBar::new().ui(ui, |ui| {
-        ui.menu_button("File", |ui| file_menu(ui, session, files, &mut chosen));
+        ui.menu_button("File", |ui| file_menu(ui, session, files, thumbnails, &mut chosen));
         ui.menu_button("Edit", |ui| {
             use Command::{Delete, Duplicate, Redo, SelectAll, SelectNone, Undo};
             entries(ui, session, &[Undo, Redo], &mut chosen);
@@ -32,6 +36,7 @@ pub fn menu_bar(ui: &mut Ui, session: &Session, files: &Files) -> Option<Command
                 let placing = Tool::ALL.into_iter().filter(|tool| tool.places());
                 entries(ui, session, &placing.map(Command::Tool).collect::<Vec<_>>(), &mut chosen);
             });
+            entries(ui, session, &[Command::ToggleMute, Command::ToggleSolo, Command::SavePreset], &mut chosen);
         });
         ui.menu_button("Add", |ui| {
             ui.menu_button("Light", |ui| entries(ui, session, &LightKind::ALL.map(Command::AddLight), &mut chosen));
@@ -48,7 +53,9 @@ pub fn menu_bar(ui: &mut Ui, session: &Session, files: &Files) -> Option<Command
             });
         });
         ui.menu_button("View", |ui| view_menu(ui, session, &mut chosen));
-        ui.menu_button("Help", |ui| entry(ui, session, &Command::Keys, &mut chosen));
+        ui.menu_button("Help", |ui| {
+            entries(ui, session, &[Command::Palette, Command::Keys, Command::FirstSteps], &mut chosen)
+        });
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             let mark = if session.history.is_modified() { " *" } else { "" };
             ui.weak(format!("{}{mark}", session.title()));
@@ -57,14 +64,14 @@ pub fn menu_bar(ui: &mut Ui, session: &Session, files: &Files) -> Option<Command
     chosen
 }
 
-fn file_menu(ui: &mut Ui, session: &Session, files: &Files, chosen: &mut Option<Command>) {
+fn file_menu(ui: &mut Ui, session: &Session, files: &Files, thumbnails: &mut Thumbnails, chosen: &mut Option<Command>) {
     entries(ui, session, &[Command::New, Command::Open], chosen);
     ui.menu_button("Open recent", |ui| {
         if files.recent.is_empty() {
             ui.weak("none yet");
         }
         for path in &files.recent {
-            entry(ui, session, &Command::OpenFile(path.clone()), chosen);
+            recent(ui, path, thumbnails, chosen);
         }
     });
     ui.menu_button("Open example", |ui| {
@@ -83,6 +90,25 @@ fn file_menu(ui: &mut Ui, session: &Session, files: &Files, chosen: &mut Option<
     entry(ui, session, &Command::Quit, chosen);
 }
 
+/// A scene that was open before: its picture, its name and its folder; greyed out where it is gone.
+fn recent(ui: &mut Ui, path: &Path, thumbnails: &mut Thumbnails, chosen: &mut Option<Command>) {
+    let exists = path.exists();
+    let texture = if exists { thumbnails.get(ui.ctx(), &Source::file(path)) } else { None };
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let folder = path.parent().unwrap_or(Path::new("")).display().to_string();
+    let size = vec2(48.0, 30.0);
+    let button = match texture {
+        Some(texture) => Button::new((egui::Image::new((texture.id(), size)).fit_to_exact_size(size), name.as_ref())),
+        None => Button::new((icons::ICON_IMAGE.rich_text().size(30.0).weak(), name.as_ref())),
+    };
+    let button = button.min_size(vec2(220.0, 34.0));
+    let response = ui.add_enabled(exists, button).accessible_name(path.display().to_string());
+    let response = response.on_hover_text(&folder).on_disabled_hover_text(format!("It is not in {folder} any more"));
+    if response.clicked() {
+        *chosen = Some(Command::OpenFile(path.to_owned()));
+    }
+}
+
 fn view_menu(ui: &mut Ui, session: &Session, chosen: &mut Option<Command>) {
     let methods: Vec<_> = view_methods(session.scene()).into_iter().map(Command::Method).collect();
     ui.menu_button("Shading method", |ui| entries(ui, session, &methods, chosen));
@@ -96,7 +122,8 @@ fn view_menu(ui: &mut Ui, session: &Session, chosen: &mut Option<Command>) {
         chosen,
     );
     ui.separator();
-    entries(ui, session, &[Command::ResetLayout, Command::ToggleTheme], chosen);
+    let window = [Command::ZoomIn, Command::ZoomOut, Command::ZoomReset, Command::ToggleTheme, Command::ResetLayout];
+    entries(ui, session, &window, chosen);
 }
 
 /// Commands in a menu.

@@ -1,21 +1,32 @@
 //! The panes, and how they share the window.
 
 mod bars;
+mod context;
 mod gesture;
 mod inspector;
+mod keys;
+mod library;
 mod links;
 mod look;
 mod menu;
+mod messages;
 mod outliner;
 mod overlays;
+mod palette;
 mod plots;
 mod problems;
 mod variants;
 
+pub(super) use context::view_menu;
 pub use inspector::Inspector;
+pub use keys::Keys;
+pub use library::Library;
+pub(super) use library::has_lights;
 pub use menu::{menu_bar, toolbar};
+pub use messages::Messages;
 pub use outliner::Outliner;
-pub use overlays::{Choice, Messages, ask_unsaved, keys};
+pub use overlays::{Choice, Recover, ask_recover, ask_unsaved, drop_hint, first_steps};
+pub use palette::{Outcome, Palette};
 pub use plots::Plots;
 pub use variants::Variants;
 
@@ -24,6 +35,7 @@ use egui_material_icons::MaterialIcon;
 use egui_tiles::{Container, Linear, LinearDir, SimplificationOptions, TileId, Tiles, Tree, UiResponse};
 
 use super::commands::Command;
+use super::library::thumbnails::Thumbnails;
 use super::session::Session;
 use super::viewport::Viewport;
 
@@ -42,6 +54,8 @@ pub enum Pane {
     Problems,
     /// Named states of the lights.
     Variants,
+    /// Presets and scenes.
+    Library,
 }
 
 /// The panes' own state.
@@ -57,6 +71,10 @@ pub struct Views {
     pub plots: Plots,
     /// Named states of the lights.
     pub variants: Variants,
+    /// Presets and scenes.
+    pub library: Library,
+    /// Their small pictures.
+    pub thumbnails: Thumbnails,
 }
 
 /// What the panes are shown with, and what they ask for.
@@ -79,7 +97,7 @@ pub fn default_layout() -> Tree<Pane> {
     let outliner = tab(&mut tiles, &[Pane::Outliner]);
     let variants = tab(&mut tiles, &[Pane::Variants]);
     let viewport = tab(&mut tiles, &[Pane::Viewport]);
-    let below = tab(&mut tiles, &[Pane::Plots, Pane::Problems]);
+    let below = tab(&mut tiles, &[Pane::Plots, Pane::Library, Pane::Problems]);
     let inspector = tab(&mut tiles, &[Pane::Inspector]);
     let middle = insert(&mut tiles, LinearDir::Vertical, &[(viewport, 0.6), (below, 0.4)]);
     let left = insert(&mut tiles, LinearDir::Vertical, &[(outliner, 0.75), (variants, 0.25)]);
@@ -109,6 +127,10 @@ impl egui_tiles::Behavior<Pane> for Panes<'_> {
             Pane::Plots => self.commands.extend(self.views.plots.show(ui, self.session)),
             Pane::Problems => problems::show(ui, self.session),
             Pane::Variants => self.commands.extend(self.views.variants.show(ui, self.session)),
+            Pane::Library => {
+                let Views { library, thumbnails, .. } = self.views;
+                self.commands.extend(library.show(ui, self.session, thumbnails));
+            }
         }
         UiResponse::None
     }
@@ -121,6 +143,7 @@ impl egui_tiles::Behavior<Pane> for Panes<'_> {
             Pane::Plots => "Plots",
             Pane::Problems => "Problems",
             Pane::Variants => "Variants",
+            Pane::Library => "Library",
         }
         .into()
     }

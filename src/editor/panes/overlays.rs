@@ -1,15 +1,8 @@
-//! What lies over the panes: the question about unsaved work, the list of keys, and messages.
+//! What lies over the panes: the questions about unsaved work, and what to try first.
 
-use std::time::{Duration, Instant};
+use egui::{Align2, Color32, Id, Modal, RichText, vec2};
 
-use egui::{Align2, Id, Key, Modal, RichText, Ui, vec2};
-
-use crate::editor::commands::Command;
-use crate::editor::session::{Notice, Session};
-use crate::editor::theme;
-
-/// How long a message that something worked is shown.
-const DONE_SECONDS: u64 = 4;
+use crate::editor::recovery::{Offer, age};
 
 /// The answer to the question about unsaved work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -48,112 +41,90 @@ pub fn ask_unsaved(ctx: &egui::Context, title: &str) -> Option<Choice> {
     if modal.should_close() { Some(Choice::Cancel) } else { modal.inner }
 }
 
-/// The list of keys; whether it should close.
-pub fn keys(ctx: &egui::Context, session: &Session) -> bool {
-    let modal = Modal::new(Id::unique("keys")).show(ctx, |ui| {
-        ui.set_width(420.0);
-        ui.heading("Keys");
-        ui.add_space(6.0);
-        ui.columns(2, |columns| {
-            let half = Command::KEYED.len().div_ceil(2);
-            for (column, commands) in columns.iter_mut().zip(Command::KEYED.chunks(half)) {
-                key_table(column, session, commands);
-            }
-        });
-        ui.add_space(6.0);
-        ui.label(RichText::new("In the view").strong());
-        for (gesture, does) in [
-            ("Alt + left drag, middle drag", "orbit"),
-            ("Shift + middle drag", "pan"),
-            ("Wheel", "zoom"),
-            ("Ctrl, Shift while dragging", "snap, drag fine"),
-            ("1.5, Enter while dragging", "set the amount"),
-            ("Enter, double-click, first vertex", "close the polygon"),
-            ("Backspace, Esc", "take a vertex back, cancel"),
-        ] {
-            ui.horizontal(|ui| {
-                ui.monospace(gesture);
-                ui.weak(does);
-            });
-        }
-        ui.add_space(8.0);
-        ui.button("Close").clicked()
-    });
-    modal.inner || modal.should_close()
+/// The answer to the question about work that was not saved when the program ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Recover {
+    /// Open it.
+    Open,
+    /// Delete it.
+    Discard,
+    /// Ask again at the next start.
+    Later,
 }
 
-fn key_table(ui: &mut Ui, session: &Session, commands: &[Command]) {
-    for command in commands {
-        let Some(shortcut) = command.shortcut() else { continue };
+/// Ask what to do with work that was not saved; the answer, once there is one.
+pub fn ask_recover(ctx: &egui::Context, offer: &Offer, thumbnail: Option<&egui::TextureHandle>) -> Option<Recover> {
+    let modal = Modal::new(Id::unique("recover")).show(ctx, |ui| {
+        ui.set_width(380.0);
+        ui.heading(format!("Recover “{}”?", offer.title));
+        ui.add_space(4.0);
         ui.horizontal(|ui| {
-            let text = ui.ctx().format_shortcut(&shortcut);
-            ui.add_sized(vec2(84.0, 18.0), egui::Label::new(RichText::new(text).monospace()));
-            ui.label(command.label(session));
-        });
-    }
-}
-
-/// Messages on show.
-#[derive(Debug, Default)]
-pub struct Messages {
-    shown: Vec<(Notice, Instant)>,
-}
-
-impl Messages {
-    /// Take the session's new messages and show all that are due; what went wrong stays until dismissed.
-    pub fn show(&mut self, ctx: &egui::Context, session: &mut Session) {
-        let now = Instant::now();
-        self.shown.extend(session.notices.drain(..).map(|notice| (notice, now)));
-        let left = |since: Instant| Duration::from_secs(DONE_SECONDS).checked_sub(now.duration_since(since));
-        self.shown.retain(|(notice, since)| matches!(notice, Notice::Failed(_)) || left(*since).is_some());
-        if let Some(next) =
-            self.shown.iter().filter(|(n, _)| matches!(n, Notice::Done(_))).filter_map(|(_, s)| left(*s)).min()
-        {
-            ctx.request_repaint_after(next);
-        }
-        if self.shown.is_empty() {
-            return;
-        }
-        let mut dismissed = None;
-        egui::Area::new(Id::unique("messages")).anchor(Align2::RIGHT_BOTTOM, vec2(-12.0, -36.0)).show(ctx, |ui| {
-            for (index, (notice, _)) in self.shown.iter().enumerate() {
-                if message(ui, index, notice) {
-                    dismissed = Some(index);
-                }
+            if let Some(texture) = thumbnail {
+                ui.add(egui::Image::new((texture.id(), vec2(128.0, 80.0))).corner_radius(4));
             }
+            ui.vertical(|ui| {
+                ui.set_max_width(240.0);
+                ui.label("Softbox was not closed properly. This is what was not saved then:");
+                ui.weak(age(offer.time));
+                if let Some(path) = &offer.path {
+                    ui.weak(path.display().to_string());
+                }
+            });
         });
-        // Esc dismisses the latest.
-        if dismissed.is_none() && ctx.input(|input| input.key_pressed(Key::Escape)) {
-            dismissed = self.shown.len().checked_sub(1);
-        }
-        if let Some(index) = dismissed {
-            self.shown.remove(index);
-            ctx.request_repaint();
-        }
-    }
+        ui.add_space(10.0);
+        let mut choice = None;
+        ui.horizontal(|ui| {
+            if ui.button("Discard work").on_hover_text("Delete what was not saved").clicked() {
+                choice = Some(Recover::Discard);
+            }
+            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                let recover = egui::Button::new(RichText::new("Recover").strong()).fill(ui.visuals().selection.bg_fill);
+                if ui.add(recover).clicked() {
+                    choice = Some(Recover::Open);
+                }
+                if ui.button("Ask later").clicked() {
+                    choice = Some(Recover::Later);
+                }
+            });
+        });
+        choice
+    });
+    if modal.should_close() { Some(Recover::Later) } else { modal.inner }
 }
 
-/// One message; whether it was dismissed.
-fn message(ui: &mut Ui, index: usize, notice: &Notice) -> bool {
-    use egui_material_icons::icons::{ICON_CHECK_CIRCLE, ICON_CLOSE, ICON_ERROR};
-    let (icon, color, text) = match notice {
-        Notice::Done(text) => (ICON_CHECK_CIRCLE, theme::accent(ui.visuals()), text),
-        Notice::Failed(text) => (ICON_ERROR, ui.visuals().error_fg_color, text),
-    };
-    egui::Frame::popup(ui.style())
-        .inner_margin(8)
-        .show(ui, |ui| {
-            ui.set_max_width(460.0);
-            ui.horizontal(|ui| {
-                ui.label(icon.rich_text().color(color).size(17.0));
-                ui.vertical(|ui| {
-                    ui.set_max_width(400.0);
-                    ui.label(text);
+/// What to try first, over the middle of the window; whether it was dismissed.
+pub fn first_steps(ctx: &egui::Context) -> bool {
+    const STEPS: [(&str, &str); 4] = [
+        ("Drag", "a corner of the window light: all curves below follow"),
+        ("P", "draws another light, corner by corner"),
+        ("Library", "below has lights and scenes: drag a light into the view"),
+        ("F1", "shows all keys, Ctrl+P finds any command"),
+    ];
+    let area = egui::Area::new(Id::unique("first steps")).anchor(Align2::LEFT_TOP, vec2(236.0, 128.0));
+    area.show(ctx, |ui| {
+        egui::Frame::popup(ui.style())
+            .inner_margin(10)
+            .show(ui, |ui| {
+                ui.set_max_width(330.0);
+                ui.label(RichText::new("Try").strong());
+                egui::Grid::new("steps").num_columns(2).spacing(vec2(10.0, 3.0)).show(ui, |ui| {
+                    for (what, does) in STEPS {
+                        ui.label(RichText::new(what).monospace().strong());
+                        ui.label(does);
+                        ui.end_row();
+                    }
                 });
-                let close = egui::Button::new(ICON_CLOSE.rich_text()).frame(false);
-                ui.add(close).accessible_name(format!("Dismiss message {}", index + 1)).clicked()
+                ui.button("Got it").on_hover_text("Do not show this again").clicked()
             })
             .inner
-        })
-        .inner
+    })
+    .inner
+}
+
+/// What a file held over the window would do when it is let go.
+pub fn drop_hint(ctx: &egui::Context, text: &str) {
+    let rect = ctx.content_rect();
+    let painter = ctx.layer_painter(egui::LayerId::new(egui::Order::Foreground, Id::unique("drop")));
+    painter.rect_filled(rect, 0.0, Color32::from_black_alpha(150));
+    painter.text(rect.center(), Align2::CENTER_CENTER, text, egui::FontId::proportional(20.0), Color32::WHITE);
 }

@@ -25,8 +25,9 @@ use self::pick::Solids;
 use self::picture::{Haste, Picture};
 use self::pointer::Pointer;
 use self::projection::Projection;
+use super::panes::view_menu;
 use super::session::{Framing, Item, Session};
-use super::theme;
+use super::{library, theme};
 use crate::gpu::{Stats, View};
 
 /// What is painted over the picture.
@@ -90,6 +91,9 @@ impl Viewport {
         self.frame(rect, session);
         self.pointer.update(ui, &response, session, &self.solids, self.overlays.handles);
         let projection = Projection::new(&session.view.camera, rect);
+        session.under_pointer = self.pointer.hovered();
+        view_menu(&response, session, self.pointer.hovered());
+        library::drop::receive(ui, &response, &projection, &self.solids, session);
         self.paint_picture(ui, rect, session);
         self.paint_overlays(ui, &projection, session);
         if rect.width() >= LEAST_FOR_CONTROLS {

@@ -56,6 +56,11 @@ impl History {
         }
     }
 
+    /// A history that starts at `scene`, which differs from what was `saved`.
+    pub fn changed(scene: Scene, saved: &Arc<Scene>) -> Self {
+        Self { saved: Arc::clone(saved), ..Self::new(scene) }
+    }
+
     /// The scene as it is now.
     pub fn scene(&self) -> &Arc<Scene> {
         &self.current
