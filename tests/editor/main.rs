@@ -5,6 +5,7 @@ mod comfort;
 mod draw;
 mod files;
 mod list;
+mod gestures;
 mod library;
 mod panes;
 mod safety;

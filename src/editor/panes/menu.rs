@@ -36,6 +36,7 @@ pub fn menu_bar(ui: &mut Ui, session: &Session, files: &Files, thumbnails: &mut 
                 let placing = Tool::ALL.into_iter().filter(|tool| tool.places());
                 entries(ui, session, &placing.map(Command::Tool).collect::<Vec<_>>(), &mut chosen);
             });
+            ui.separator();
             entries(ui, session, &[Command::ToggleMute, Command::ToggleSolo, Command::SavePreset], &mut chosen);
         });
         ui.menu_button("Add", |ui| {
