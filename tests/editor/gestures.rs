@@ -93,7 +93,13 @@ fn gesture(window: &mut Window, dice: &mut Dice) -> String {
             window.harness.hover_at(pos);
             let delta = vec2(0.0, 120.0 * dice.share() - 60.0);
             let (unit, phase) = (egui::MouseWheelUnit::Point, egui::TouchPhase::Move);
-            window.harness.event(Event::MouseWheel { unit, delta, phase, modifiers: Modifiers::NONE });
+            window.harness.event(Event::MouseWheel {
+                unit,
+                delta,
+                phase,
+                source: egui::MouseWheelSource::Wheel,
+                modifiers: Modifiers::NONE,
+            });
             window.harness.step();
             format!("wheel {delta}")
         }
@@ -113,14 +119,14 @@ fn button(window: &mut Window, pos: Pos2, button: PointerButton, pressed: bool, 
 }
 
 fn click(window: &mut Window, pos: Pos2, which: PointerButton, modifiers: Modifiers, times: usize) -> String {
-    window.harness.input_mut().modifiers = modifiers;
+    window.harness.event(Event::ModifiersChanged(modifiers));
     window.harness.hover_at(pos);
     window.harness.step();
     for _ in 0..times {
         button(window, pos, which, true, modifiers);
         button(window, pos, which, false, modifiers);
     }
-    window.harness.input_mut().modifiers = Modifiers::NONE;
+    window.harness.event(Event::ModifiersChanged(Modifiers::NONE));
     format!("{times} × {which:?} at {pos} {modifiers:?} ")
 }
 
@@ -129,7 +135,7 @@ fn drag(window: &mut Window, canvas: Rect, dice: &mut Dice) -> String {
     let modifiers = dice.modifiers();
     let from = dice.within(canvas);
     let to = dice.within(canvas);
-    window.harness.input_mut().modifiers = modifiers;
+    window.harness.event(Event::ModifiersChanged(modifiers));
     window.harness.hover_at(from);
     window.harness.step();
     button(window, from, PointerButton::Primary, true, modifiers);
@@ -143,7 +149,7 @@ fn drag(window: &mut Window, canvas: Rect, dice: &mut Dice) -> String {
         window.harness.step();
     }
     button(window, to, PointerButton::Primary, false, modifiers);
-    window.harness.input_mut().modifiers = Modifiers::NONE;
+    window.harness.event(Event::ModifiersChanged(Modifiers::NONE));
     format!("drag {from} to {to} {modifiers:?} {cancelled}")
 }
 
