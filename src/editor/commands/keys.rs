@@ -14,6 +14,8 @@ impl Command {
         Self::SelectNone,
         Self::AddMaterial,
         Self::SavePreset,
+        Self::List(ListCommand::StoreVariant),
+        Self::List(ListCommand::UpdateVariant),
         Self::ResetView,
         Self::SaveView,
         Self::ToggleEmitters,

@@ -271,7 +271,7 @@ impl Held {
         };
         match self.typed.text() {
             "" => text,
-            typed => format!("{text}   ⌨ {typed}"),
+            typed => format!("{text}   = {typed}"),
         }
     }
 }

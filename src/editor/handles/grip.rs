@@ -229,7 +229,7 @@ impl Held {
         }
         self.readout = match self.drag.typed.text() {
             "" => outcome.readout,
-            typed => format!("{}   ⌨ {typed}", outcome.readout),
+            typed => format!("{}   = {typed}", outcome.readout),
         };
         self.refused = outcome.refused;
         let scene = session.scene();

@@ -3,6 +3,7 @@
 use egui::text::{CCursor, CCursorRange};
 use egui::{Area, Color32, CursorIcon, Event, Frame, Id, Key, Modifiers, Order, Painter, Pos2};
 use egui::{Response, TextEdit, Ui, vec2};
+use glam::DVec2;
 
 use super::work_plane::{self, PlaneKind};
 use super::{Draft, Outcome, Pen, snap, typed};
@@ -35,8 +36,8 @@ pub struct Drawing {
     typed: Option<Field>,
     /// Where the press was that began the draft, while it is held down.
     pressed: Option<Pos2>,
-    /// Why the last input was refused.
-    refusal: Option<String>,
+    /// Why the last input was refused, and where the pointer was.
+    refusal: Option<(String, Option<DVec2>)>,
     /// The tool seen last, to drop what another tool has begun.
     tool: Tool,
     /// The press that is still down has done its work.
@@ -149,7 +150,7 @@ impl Drawing {
     }
 
     /// A polygon's first vertex, where a click would close it.
-    fn first_under(&self, pen: &Pen, pos: Pos2, projection: &Projection) -> Option<glam::DVec2> {
+    fn first_under(&self, pen: &Pen, pos: Pos2, projection: &Projection) -> Option<DVec2> {
         let Draft::Polygon(polygon) = &self.draft else { return None };
         let first = *polygon.vertices().first().filter(|_| polygon.vertices().len() >= 3)?;
         let on_screen = projection.project(pen.canvas.frame.point(first))?;
@@ -238,7 +239,7 @@ impl Drawing {
             *cursor = Cursor { at: *at, on_first: false, corner: None, ..*cursor };
         }
         if ui.input(|input| input.pointer.primary_pressed()) {
-            // A click places by the pointer, as if nothing had been typed.
+            // A click takes what is shown.
             return Outcome::Drawing;
         }
         if !pressed(Key::Enter) {
@@ -261,7 +262,7 @@ impl Drawing {
     fn take(&mut self, outcome: Outcome, session: &mut Session) {
         match outcome {
             Outcome::Drawing => {}
-            Outcome::Refused(why) => self.refusal = Some(why),
+            Outcome::Refused(why) => self.refusal = Some((why, self.cursor.map(|cursor| cursor.at))),
             Outcome::Done(light) => {
                 session.add_light(*light);
                 session.tool = Tool::Move;
@@ -273,7 +274,9 @@ impl Drawing {
 
     /// What the mouse would do now, or why it did not.
     fn hint(&self, response: &Response, session: &Session) -> String {
-        if let Some(why) = &self.refusal {
+        // Once the pointer has moved on, what was refused there is past.
+        let here = |at: &Option<DVec2>| self.typed.is_some() || *at == self.cursor.map(|cursor| cursor.at);
+        if let Some((why, _)) = self.refusal.as_ref().filter(|(_, at)| here(at)) {
             return why.clone();
         }
         if let (Draft::Polygon(polygon), Some(cursor)) = (&self.draft, self.cursor) {

@@ -1,6 +1,6 @@
 //! What is being drawn, with its dimensions at the cursor.
 
-use egui::{Align2, Color32, Painter, Pos2, Shape, Stroke, vec2};
+use egui::{Align2, Color32, Painter, Pos2, Rect, Shape, Stroke, Vec2, vec2};
 use glam::{DVec2, DVec3};
 
 use super::{REFUSED, label, length_text, line};
@@ -12,6 +12,8 @@ use crate::editor::viewport::projection::Projection;
 
 /// Length of the arrow that shows to which side a light would shine, points.
 const ARROW: f64 = 34.0;
+/// Room for the dimensions beside the pointer, points.
+const TEXT_SIZE: Vec2 = vec2(200.0, 34.0);
 /// Dots and gaps of a line to a corner that is stuck to, points.
 const DOTTED: f32 = 5.0;
 
@@ -62,8 +64,23 @@ pub fn paint_draft(
     }
     if measured {
         let text = dimensions(draft, pen, &cursor);
-        label(&text, cursor.pos + vec2(16.0, 14.0), Align2::LEFT_TOP, Color32::WHITE, painter);
+        let (at, anchor) = beside(cursor.pos, projection.rect());
+        label(&text, at, anchor, Color32::WHITE, painter);
     }
+}
+
+/// Where text stands beside the pointer so that a view that fills `rect` has room for it, and which corner of it.
+fn beside(pos: Pos2, rect: Rect) -> (Pos2, Align2) {
+    let left = pos.x + TEXT_SIZE.x <= rect.right();
+    let below = pos.y + TEXT_SIZE.y <= rect.bottom();
+    let anchor = match (left, below) {
+        (true, true) => Align2::LEFT_TOP,
+        (true, false) => Align2::LEFT_BOTTOM,
+        (false, true) => Align2::RIGHT_TOP,
+        (false, false) => Align2::RIGHT_BOTTOM,
+    };
+    let away = |to_right_or_below: bool, by: f32| if to_right_or_below { by } else { -by };
+    (pos + vec2(away(left, 16.0), away(below, 14.0)), anchor)
 }
 
 /// What is measured, for people.
@@ -215,7 +232,7 @@ impl Brush<'_> {
             return;
         };
         let stroke = Stroke::new(1.5, self.accent);
-        let mark = egui::Rect::from_center_size(at, vec2(11.0, 11.0));
+        let mark = Rect::from_center_size(at, vec2(11.0, 11.0));
         self.painter.rect_stroke(mark, 0.0, stroke, egui::StrokeKind::Middle);
         self.painter.extend(Shape::dotted_line(&[corner, at], self.accent, DOTTED, 1.0));
     }
@@ -257,6 +274,21 @@ mod tests {
             (Tool::Outline, OutlineKind::Letter, "1.00 m high"),
         ] {
             assert_eq!(text(tool, kind, &span, at), expected, "{tool:?}, {kind:?}");
+        }
+    }
+
+    #[test]
+    fn dimensions_stand_within_the_view() {
+        let rect = Rect::from_min_size(Pos2::ZERO, vec2(600.0, 400.0));
+        for (pos, anchor) in [
+            (Pos2::new(300.0, 200.0), Align2::LEFT_TOP),
+            (Pos2::new(580.0, 200.0), Align2::RIGHT_TOP),
+            (Pos2::new(300.0, 390.0), Align2::LEFT_BOTTOM),
+            (Pos2::new(580.0, 390.0), Align2::RIGHT_BOTTOM),
+        ] {
+            let (at, found) = beside(pos, rect);
+            assert_eq!(found, anchor, "at {pos:?}");
+            assert!(rect.contains_rect(anchor.anchor_size(at, vec2(170.0, 16.0))), "at {pos:?}");
         }
     }
 
