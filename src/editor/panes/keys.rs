@@ -20,7 +20,12 @@ const GESTURES: &[(&str, &[(&str, &str)])] = &[
     ),
     (
         "While dragging",
-        &[("Ctrl", "Snap to the grid, or not"), ("Shift", "Move in fine steps"), ("1.5, Enter", "Set the amount"), ("Esc", "Take the drag back")],
+        &[
+            ("Ctrl", "Snap to the grid, or not"),
+            ("Shift", "Move in fine steps"),
+            ("1.5, Enter", "Set the amount"),
+            ("Esc", "Take the drag back"),
+        ],
     ),
     (
         "While drawing",
