@@ -20,8 +20,7 @@ pub fn place(preset: &Scene, p: DVec3, n: DVec3) -> Vec<Light> {
         DAffine3::from_translation(p - center.with_z(0.0))
     } else {
         let at = p + FROM_WALL * n;
-        let turn = DMat3::from_rotation_z(0.0) * facing(n);
-        DAffine3::from_translation(at) * DAffine3::from_mat3(turn) * DAffine3::from_translation(-center)
+        DAffine3::from_translation(at) * DAffine3::from_mat3(facing(n)) * DAffine3::from_translation(-center)
     };
     let is_floor = n.z > FLOOR;
     preset
@@ -36,7 +35,7 @@ pub fn place(preset: &Scene, p: DVec3, n: DVec3) -> Vec<Light> {
             let rotation_deg = match (is_floor, preset.lights.len()) {
                 (true, _) => light.rotation_deg,
                 (false, 1) => degrees(facing(n)),
-                (false, _) => degrees(DMat3::from(by.matrix3) * DMat3::from(light.world_from_light().matrix3)),
+                (false, _) => degrees(by.matrix3 * light.world_from_light().matrix3),
             };
             Light { position, rotation_deg, ..light.clone() }
         })
