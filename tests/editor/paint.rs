@@ -281,12 +281,4 @@ fn colours_are_picked_from_a_loaded_picture_and_painted_around_its_middle() {
     let all = |c: usize| texels(c).filter(|(a, _)| (f64::from(**a) - middle[c]).abs() < 1e-3).count();
     assert!((0..3).all(|c| all(c) > 6 * 50), "of the colour in the middle, {middle:?}");
     assert_eq!(window.steps_back()[..2], ["Brush stroke", "Replace pattern"], "two steps");
-    window.key(Modifiers::COMMAND.plus(Modifiers::SHIFT), Key::Z);
-    for _ in 0..3 {
-        window.key(Modifiers::COMMAND.plus(Modifiers::SHIFT), Key::Z);
-    }
-    window.click("pattern");
-    window.harness.hover_at(center + vec2(30.0, -40.0));
-    window.settle();
-    window.harness.snapshot_options("painter_colour", &crate::window::options());
 }

@@ -34,6 +34,7 @@ fn item_menu(ui: &mut Ui, session: &Session, item: Item, chosen: &mut Option<Com
         let light = session.scene().lights.get(index);
         if let Some(light) = light.filter(|light| matches!(light.shape, Shape::Textured(_))) {
             let replace = Command::ReplacePattern(light.name.clone());
+            entries(ui, session, &[Command::EditPattern], chosen);
             if ui.button("Replace pattern…").clicked() {
                 *chosen = Some(replace);
             }
