@@ -346,7 +346,9 @@ impl Tool {
 impl ViewState {
     /// Follow the variant that is shown from one state of the document to another.
     pub fn follow(&mut self, from: &Scene, to: &Scene) {
-        self.variant = self.variant.and_then(|index| variants::follow(index, from, to));
+        for variant in [&mut self.variant, &mut self.against_variant] {
+            *variant = variant.and_then(|index| variants::follow(index, from, to));
+        }
     }
 }
 
@@ -444,6 +446,11 @@ impl Session {
     /// [`Self::shown`] as a view looks at it: with the lights of a variant where the view is of one.
     pub fn shown_for(&mut self, view: &ViewState) -> Arc<Scene> {
         self.shown_with(view.variant)
+    }
+
+    /// What a view compares [`Self::shown_for`] with: the same, but for the lights where it compares those.
+    pub fn shown_against(&mut self, view: &ViewState) -> Arc<Scene> {
+        self.shown_with(view.against_variant.or(view.variant))
     }
 
     /// The document as it is shown, with the lights of the variant of that place.

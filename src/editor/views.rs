@@ -91,6 +91,8 @@ pub struct ViewState {
     pub show_grid: bool,
     /// The place of the variant whose lights are shown; none for the scene's own lights.
     pub variant: Option<usize>,
+    /// The place of the variant with which the lights that are shown are compared; where there is none, methods are.
+    pub against_variant: Option<usize>,
 }
 
 impl ViewState {
@@ -113,12 +115,16 @@ impl ViewState {
             refines: true,
             show_grid: true,
             variant: None,
+            against_variant: None,
         }
     }
 
     /// Show something else. Differences and bands are of an approximation against `exact`.
     pub fn set_mode(&mut self, mode: ViewMode) {
         self.mode = mode;
+        if self.against_variant.is_some() {
+            return;
+        }
         let judges = matches!(mode, ViewMode::Difference | ViewMode::Bands);
         if judges && self.method == Method::Exact {
             self.method = if self.against == Method::Exact { Method::Point } else { self.against };

@@ -94,11 +94,22 @@ impl Preview {
         scene: &Scene,
         view: &View,
     ) -> &wgpu::TextureView {
+        self.render_against(device, queue, [scene, scene], view)
+    }
+
+    /// [`Self::render`], where what the view compares the scene with has other lights: those of the second.
+    pub fn render_against(
+        &mut self,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        [scene, other]: [&Scene; 2],
+        view: &View,
+    ) -> &wgpu::TextureView {
         let view = View { size: view.size.map(|side| side.max(1)), ..*view };
         let layout = self.passes.gbuffer.occluder_layout();
         let occluders = Occluders::of_scene(device, layout, (scene, view.camera.eye), self.occluders.as_ref());
         self.occluders = Some(Arc::clone(&occluders));
-        let (wanted, mixes) = wanted(scene, &view, &occluders, self.bands);
+        let (wanted, mixes) = wanted([scene, other], &view, &occluders, self.bands);
         let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         let before = self.stats;
         let worked = self.centred.update(device, &mut encoder, &mut self.passes, &wanted, &mut self.stats);
@@ -240,8 +251,9 @@ fn lobes(scene: &Scene, method: Method) -> Vec<Lobe> {
     known.map(|lobe| lobes::lobe(&lobe, method)).collect()
 }
 
-/// What the layers are to be, and how they are mixed: by the view's method, and by the one that it is compared with.
-fn wanted(scene: &Scene, view: &View, occluders: &Arc<Occluders>, bands: u32) -> (Wanted, Vec<Mix>) {
+/// What the layers are to be, and how they are mixed: by the view's method, and by the one that it is compared with,
+/// which has the lights of `other`.
+fn wanted([scene, other]: [&Scene; 2], view: &View, occluders: &Arc<Occluders>, bands: u32) -> (Wanted, Vec<Mix>) {
     let methods: Vec<_> = [Some(view.method), view.display.against()].into_iter().flatten().collect();
     let matte = scene.materials.iter().all(|material| material.specular == DVec3::ZERO);
     // Lobes differ between methods by Chebyshev's fit only: where both have one, it is the first one's.
@@ -255,7 +267,8 @@ fn wanted(scene: &Scene, view: &View, occluders: &Arc<Occluders>, bands: u32) ->
         lit: Vec::new(),
         dark: Vec::new(),
     };
-    let mixes = methods.into_iter().map(|method| Mix::new(scene, view, light_up(scene, view, method, &mut wanted)));
+    let pictures = [scene, other].into_iter().zip(methods);
+    let mixes = pictures.map(|(scene, method)| Mix::new(scene, view, light_up(scene, view, method, &mut wanted)));
     let mixes = mixes.collect();
     (wanted, mixes)
 }

@@ -256,6 +256,12 @@ fn variants_are_stored_switched_by_keys_and_saved() {
     window.snapshot("variants");
     window.click("Show the scene’s lights");
 
+    window.click("Compare with evening");
+    window.snapshot("variants_split");
+    window.click("Compare by difference");
+    window.snapshot("variants_difference");
+    window.click("Stop comparing with evening");
+
     window.enter("Luminance of window", "400");
     window.click("Revert to the variant");
     assert_eq!(window.scene().lights[0].quantity.value(), 1000.0, "as it was stored");

@@ -5,7 +5,7 @@ use egui_material_icons::icons;
 
 use super::icon_button;
 use crate::editor::commands::{Command, ListCommand};
-use crate::editor::session::Session;
+use crate::editor::session::{Session, ViewMode};
 use crate::editor::theme;
 
 /// Height of a row, points.
@@ -38,6 +38,8 @@ enum Ask {
     Delete(usize),
     Move { index: usize, up: bool },
     Look(Option<usize>),
+    Compare(Option<usize>),
+    CompareBy(ViewMode),
 }
 
 impl Variants {
@@ -52,6 +54,7 @@ impl Variants {
                 ui.spacing_mut().item_spacing.y = 1.0;
                 (0..session.scene().variants.len()).for_each(|index| self.row(ui, session, index, &mut asked));
                 looks(ui, session, &mut asked);
+                comparison(ui, session, &mut asked);
             });
         });
         asked.into_iter().for_each(|ask| self.answer(ask, session));
@@ -74,7 +77,7 @@ impl Variants {
                 let changed = if is_active && scene.differs_from_variant() { "changed" } else { "" };
                 let changed = RichText::new(changed).small().color(theme::accent(ui.visuals()));
                 let label = Button::selectable(is_active, &variant.name).truncate().right_text(changed);
-                let width = ui.available_width() - 44.0;
+                let width = ui.available_width() - 66.0;
                 let response = ui.add(label.min_size(vec2(width, ROW)));
                 let count = variant.lights.len();
                 let lights = if count == 1 { "1 light".to_owned() } else { format!("{count} lights") };
@@ -101,6 +104,12 @@ impl Variants {
         let verb = if is_shown { "Show the scene’s lights in this view, not" } else { "Show in this view" };
         if icon_button(ui, icons::ICON_VISIBILITY, color, &format!("{verb} {name}")).clicked() {
             asked.push(Ask::Look((!is_shown).then_some(index)));
+        }
+        let is_compared = session.view.against_variant == Some(index);
+        let color = if is_compared { theme::accent(ui.visuals()) } else { ui.visuals().weak_text_color() };
+        let verb = if is_compared { "Stop comparing with" } else { "Compare with" };
+        if icon_button(ui, icons::ICON_COMPARE, color, &format!("{verb} {name}")).clicked() {
+            asked.push(Ask::Compare((!is_compared).then_some(index)));
         }
         let weak = ui.visuals().weak_text_color();
         if icon_button(ui, icons::ICON_SAVE, weak, &format!("Store the lights in {name}")).clicked() {
@@ -140,6 +149,16 @@ impl Variants {
             Ask::Delete(index) => session.delete_variant(index),
             Ask::Move { index, up } => session.move_variant(index, up),
             Ask::Look(variant) => session.view.variant = variant,
+            Ask::Compare(variant) => {
+                let compares = session.view.mode.compares();
+                session.view.against_variant = variant;
+                session.view.mode = match variant {
+                    None => ViewMode::Picture,
+                    Some(_) if compares => session.view.mode,
+                    Some(_) => ViewMode::Split,
+                };
+            }
+            Ask::CompareBy(mode) => session.view.mode = mode,
         }
     }
 }
@@ -193,6 +212,28 @@ fn looks(ui: &mut Ui, session: &Session, asked: &mut Vec<Ask>) {
             }
         });
     }
+}
+
+/// How the lights are compared with a variant, while they are.
+fn comparison(ui: &mut Ui, session: &Session, asked: &mut Vec<Ask>) {
+    let scene = session.scene();
+    let Some(variant) = session.view.against_variant.and_then(|index| scene.variants.get(index)) else { return };
+    ui.add_space(4.0);
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing.x = 2.0;
+        ui.colored_label(theme::accent(ui.visuals()), format!("Compared with “{}”", variant.name));
+        for mode in [ViewMode::Split, ViewMode::Difference] {
+            let response = ui.selectable_label(session.view.mode == mode, mode.label().to_lowercase());
+            let name = format!("Compare by {}", mode.label().to_lowercase());
+            let hint = match mode {
+                ViewMode::Split => "Beside each other, with a line to drag between them",
+                _ => "How much brighter the lights that are shown are than the variant, in false colour",
+            };
+            if response.on_hover_text(hint).accessible_name(name).clicked() {
+                asked.push(Ask::CompareBy(mode));
+            }
+        }
+    });
 }
 
 fn menu(ui: &mut Ui, index: usize, count: usize, asked: &mut Vec<Ask>) {

@@ -81,6 +81,16 @@ fn method(ui: &mut Ui, session: &mut Session, name: &str) {
 }
 
 fn against(ui: &mut Ui, session: &mut Session, name: &str) {
+    if let Some(variant) = session.view.against_variant.and_then(|index| session.scene().variants.get(index)) {
+        let text = format!("{} ×", variant.name);
+        let button = ui.add(egui::Button::new(text).truncate().min_size(vec2(BOX, 0.0)));
+        let button = button.on_hover_text("The variant that the lights are compared with; click to compare methods");
+        if button.accessible_name(format!("Compared with{name}")).clicked() {
+            session.view.against_variant = None;
+            session.view.set_mode(session.view.mode);
+        }
+        return;
+    }
     let methods = view_methods(session.scene());
     methods_box(ui, "against", &methods, &mut session.view.against)
         .on_hover_text("The method that it is compared with")

@@ -69,10 +69,10 @@ impl Picture {
         self.pace.budget = budget;
     }
 
-    /// The picture of `scene`, where `view.size` is the pane in physical pixels. While something is dragged fewer pixels may
+    /// The picture of the first scene, compared where the view does so with the second's lights, where `view.size` is the pane in physical pixels. While something is dragged fewer pixels may
     /// be shaded, and a picture that is still refines a little with each call. It stays as it was while the device is busy:
     /// see [`Self::is_behind`].
-    pub fn render(&mut self, scene: &Scene, view: &View, haste: Haste) -> TextureId {
+    pub fn render(&mut self, scenes: [&Scene; 2], view: &View, haste: Haste) -> TextureId {
         let RenderState { device, queue, renderer, .. } = &self.render_state;
         let share = match haste {
             Haste::Dragging => 1,
@@ -93,7 +93,7 @@ impl Picture {
         let before = self.preview.stats();
         self.preview.refine_in_bands(self.bands);
         let start = Instant::now();
-        let target = self.preview.render(device, queue, scene, &view).clone();
+        let target = self.preview.render_against(device, queue, scenes, &view).clone();
         let worked = self.preview.stats() != before || (view.refine && !self.preview.is_converged());
         if worked {
             // Longer than the patience counts as twice as long.

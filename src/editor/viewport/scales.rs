@@ -26,7 +26,7 @@ const PIECES: u16 = 48;
 
 /// What the picture shows.
 pub fn display(view: &ViewState, survey: &Survey) -> Display {
-    let against = view.against;
+    let against = if view.against_variant.is_some() { view.method } else { view.against };
     match view.mode {
         ViewMode::Picture => Display::Picture,
         ViewMode::Split => Display::Split { against, at: view.split },
@@ -176,7 +176,10 @@ impl Bar {
                     title,
                     kind: Kind::Continuous(diverging, -1.0),
                     ticks: shares.iter().map(|share| (0.5 + 0.5 * share, text(*share))).collect(),
-                    told: format!("{} − {}, ±{} {title}", view.method, view.against, short(factor * end)),
+                    told: match view.against_variant {
+                        Some(_) => format!("lights − variant, ±{} {title}", short(factor * end)),
+                        None => format!("{} − {}, ±{} {title}", view.method, view.against, short(factor * end)),
+                    },
                 }
             }
             Display::Illuminance { scale, .. } => {

@@ -32,7 +32,7 @@ pub struct Screen {
     grid: Grid,
     gauge: Gauge,
     survey: Survey,
-    asked: Option<(Arc<Scene>, View)>,
+    asked: Option<([Arc<Scene>; 2], View)>,
     texture: Option<TextureId>,
 }
 
@@ -58,6 +58,7 @@ impl Screen {
     pub fn paint_picture(&mut self, ui: &Ui, rect: Rect, session: &mut Session, haste: Haste, waits: bool) -> bool {
         let view = session.view;
         let shown = session.shown_for(&view);
+        let other = session.shown_against(&view);
         let asked = View {
             camera: view.camera,
             size: [rect.width(), rect.height()].map(|side| physical(side, ui.ctx().pixels_per_point())),
@@ -69,14 +70,16 @@ impl Screen {
             display: scales::display(&view, &self.survey),
         };
         let is_same = self.asked.as_ref().is_some_and(|(scene, before)| {
-            Arc::ptr_eq(scene, &shown) && *before == View { refine: before.refine, ..asked }
+            Arc::ptr_eq(&scene[0], &shown)
+                && Arc::ptr_eq(&scene[1], &other)
+                && *before == View { refine: before.refine, ..asked }
         });
         let texture = match self.texture.filter(|_| is_same && (waits || haste == Haste::Dragging)) {
             Some(texture) => texture,
-            None => self.picture.render(&shown, &asked, haste),
+            None => self.picture.render([&shown, &other], &asked, haste),
         };
         self.texture = Some(texture);
-        self.asked = Some((shown, asked));
+        self.asked = Some(([shown, other], asked));
         let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
         ui.painter().image(texture, rect, whole, Color32::WHITE);
         let is_working = self.picture.is_behind() || (asked.refine && !self.picture.is_converged());

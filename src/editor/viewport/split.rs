@@ -37,9 +37,19 @@ pub fn show(ui: &mut Ui, rect: Rect, session: &mut Session, name: &str) {
         painter.add(egui::Shape::convex_polygon(arrow, Color32::from_gray(0x40), Stroke::NONE));
     }
     let y = rect.top() + 46.0;
-    let [left, right] = [session.view.method, session.view.against].map(|method| method.to_string());
+    let [left, right] = names(session);
     overlay::label(&left, pos2(at - 10.0, y), Align2::RIGHT_TOP, Color32::WHITE, &painter);
     overlay::label(&right, pos2(at + 10.0, y), Align2::LEFT_TOP, Color32::WHITE, &painter);
+}
+
+/// What is on the left and on the right: methods, or variants.
+fn names(session: &Session) -> [String; 2] {
+    let (view, scene) = (&session.view, session.scene());
+    let variant = |index: usize| scene.variants.get(index).map(|variant| variant.name.clone());
+    let Some(right) = view.against_variant.and_then(variant) else {
+        return [view.method, view.against].map(|method| method.to_string());
+    };
+    [view.variant.and_then(variant).unwrap_or_else(|| "lights as they are".to_owned()), right]
 }
 
 #[expect(clippy::cast_possible_truncation, reason = "egui's screen coordinates are f32")]
