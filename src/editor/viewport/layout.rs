@@ -11,14 +11,16 @@ const MARGIN: f32 = 0.15;
 
 /// Where the viewports are.
 pub fn places(whole: Rect, count: usize, [x, y]: [f32; 2]) -> Vec<Rect> {
-    let [x, y] = [whole.left() + x * whole.width(), whole.top() + y * whole.height()];
-    let left = whole.with_max_x(x - 0.5 * GAP);
-    let right = whole.with_min_x(x + 0.5 * GAP);
-    let upper = |rect: Rect| rect.with_max_y(y - 0.5 * GAP);
-    let lower = |rect: Rect| rect.with_min_y(y + 0.5 * GAP);
+    let middle = whole.min + vec2(x, y) * whole.size();
+    let gap = vec2(0.5 * GAP, 0.5 * GAP);
+    let [before, after] = [middle - gap, middle + gap];
+    let place = |x: [f32; 2], y: [f32; 2]| Rect::from_min_max(pos2(x[0], y[0]), pos2(x[1], y[1]));
+    let (left, right) = ([whole.left(), before.x], [after.x, whole.right()]);
+    let (upper, lower) = ([whole.top(), before.y], [after.y, whole.bottom()]);
+    let full = [whole.top(), whole.bottom()];
     match count {
-        2 => vec![left, right],
-        4 => vec![upper(left), upper(right), lower(left), lower(right)],
+        2 => vec![place(left, full), place(right, full)],
+        4 => vec![place(left, upper), place(right, upper), place(left, lower), place(right, lower)],
         _ => vec![whole],
     }
 }
