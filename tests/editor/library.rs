@@ -57,8 +57,8 @@ fn a_light_dragged_into_the_view_stands_where_it_is_dropped() {
 #[test]
 fn a_scene_is_opened_by_a_double_click_after_the_question_about_unsaved_work() {
     let mut window = open();
-    window.click("Show scenes");
     search(&mut window, "three spheres");
+    window.click("Show scenes");
     double_click(&mut window, "Three spheres");
     assert_eq!(window.scene().name, "Three spheres of one flux", "opened");
 }
