@@ -101,7 +101,7 @@ fn a_pinned_curve_stays_while_the_scene_changes_and_leaves_with_the_export() {
     assert_eq!(left, ["point, more flux"], "the other is left");
     window.click("Show pin 1");
     assert!(window.session().plots.pins[0].hidden, "hidden");
-    assert_eq!(window.steps_back(), ["Change emission"], "pins are no part of the document");
+    assert_eq!(window.steps_back(), ["Change flux"], "pins are no part of the document");
 }
 
 #[test]
