@@ -142,6 +142,8 @@ pub fn preset_of_selection(session: &Session, name: &str, tags: &[String]) -> Sc
         light.position.x -= middle.x;
         light.position.y -= middle.y;
         light.muted = false;
+        // The surfaces that it is linked to stay behind.
+        light.only = None;
     }
     Scene { name: name.to_owned(), tags: tags.to_vec(), lights, ..Scene::default() }
 }
@@ -187,8 +189,10 @@ mod tests {
         let folder = tempfile::tempdir().expect("a folder");
         let mut session = Session::new(scene::first_light(), None);
         session.selection.set([Item::Light(0), Item::Surface(0)]);
+        session.link_lights(&[0], Some(&[]));
         let preset = preset_of_selection(&session, "My window", &["mine".to_owned()]);
         assert_eq!(preset.lights.len(), 1, "lights only");
+        assert_eq!(preset.lights[0].only, None, "linked to nothing that it leaves");
         let p = preset.lights[0].position;
         assert!(
             p.truncate().length() < 1e-12 && p.z == session.scene().lights[0].position.z,
