@@ -5,6 +5,7 @@ mod comfort;
 mod draw;
 mod files;
 mod gestures;
+mod handles;
 mod library;
 mod list;
 mod paint;

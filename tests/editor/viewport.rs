@@ -55,7 +55,7 @@ pub(crate) fn corners(light: &Light) -> Vec<DVec3> {
 }
 
 #[track_caller]
-fn assert_near(p: DVec3, expected: [f64; 3], within: f64) {
+pub(crate) fn assert_near(p: DVec3, expected: [f64; 3], within: f64) {
     assert!(p.distance(DVec3::from(expected)) <= within, "{p} is not {expected:?}");
 }
 
