@@ -118,7 +118,7 @@ fn is_inside(shape: &Shape, p: DVec3) -> bool {
 fn lights_nothing(light: &Light, scene: &Scene) -> Oddity {
     let only = light.only.as_ref()?;
     let any = scene.surfaces.iter().any(|surface| only.contains(&surface.name));
-    (!any).then(|| ("Lights only", format!("“{}” is linked to no surface", light.name)))
+    (!any).then(|| ("Lights", format!("“{}” is linked to no surface", light.name)))
 }
 
 fn faces_nothing(light: &Light, scene: &Scene) -> Oddity {
