@@ -138,8 +138,8 @@ pub struct Session {
     pub outline: Outline,
     /// The corner of a polygon that was chosen last; [`Self::corner`] says whether it still counts.
     pub chosen_corner: Option<Corner>,
-    /// The viewport in which something is being drawn: digits are its dimensions.
-    pub drawing_in: Option<egui::Id>,
+    /// Whether something is being drawn: digits are its dimensions.
+    pub is_drawing: bool,
     /// What the plot pane shows.
     pub plots: PlotState,
     /// What the mouse would do now; set by whatever it is over, shown in the status bar.
@@ -370,7 +370,7 @@ impl Session {
             transform: Transform::default(),
             outline: Outline::default(),
             chosen_corner: None,
-            drawing_in: None,
+            is_drawing: false,
             plots: PlotState::default(),
             hint: String::new(),
             notices: Vec::new(),

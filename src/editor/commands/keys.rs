@@ -152,7 +152,7 @@ impl Command {
 pub fn run_shortcuts(app: &mut App, ctx: &egui::Context) {
     let typing = ctx.egui_wants_keyboard_input();
     let in_gesture = app.session.history.in_gesture();
-    let drawing = app.session.drawing_in.is_some();
+    let drawing = app.session.is_drawing;
     // Letters that the pane under the pointer has for itself; it was shown in the last frame.
     let pane_keys = std::mem::take(&mut app.session.pane_keys);
     let pressed: Vec<&Command> = ctx.input_mut(|input| {

@@ -73,17 +73,9 @@ impl Drawing {
             self.take(outcome, session);
             session.hint = self.hint(response, session);
         }
-        self.tell(response.id, session);
+        // Whatever view it is in.
+        session.is_drawing = !self.draft.is_empty();
         self.spent
-    }
-
-    /// Let the keys know whether digits belong to a drawing.
-    fn tell(&self, id: Id, session: &mut Session) {
-        if !self.draft.is_empty() {
-            session.drawing_in = Some(id);
-        } else if session.drawing_in == Some(id) {
-            session.drawing_in = None;
-        }
     }
 
     fn draw(
