@@ -177,7 +177,7 @@ impl Command {
     pub fn all(session: &Session) -> Vec<Self> {
         let plots = [PlotKind::Tilt, PlotKind::View, PlotKind::Line, PlotKind::Distance];
         let methods = view_methods(session.scene());
-        let others = Self::UNKEYED.iter().chain(Self::KEYED).cloned();
+        let others = Self::KEYED.iter().chain(Self::UNKEYED).cloned();
         let lights = LightKind::ALL.map(Self::AddLight);
         let surfaces = SurfaceKind::ALL.map(Self::AddSurface);
         let added = lights.into_iter().chain(surfaces).chain(plots.map(Self::AddPlot));

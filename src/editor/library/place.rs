@@ -34,7 +34,7 @@ pub fn place(preset: &Scene, p: DVec3, n: DVec3) -> Vec<Light> {
             // A light alone faces the wall however it stands in the preset.
             let rotation_deg = match (is_floor, preset.lights.len()) {
                 (true, _) => light.rotation_deg,
-                (false, 1) => degrees(facing(n)),
+                (false, 1) => facing_deg(n),
                 (false, _) => degrees(by.matrix3 * light.world_from_light().matrix3),
             };
             Light { position, rotation_deg, ..light.clone() }
@@ -54,6 +54,11 @@ fn facing(n: DVec3) -> DMat3 {
     let rx = n.x.hypot(n.y).atan2(n.z);
     let rz = if n.x.hypot(n.y) < 1e-9 { 0.0 } else { n.x.atan2(-n.y) };
     DMat3::from_rotation_z(rz) * DMat3::from_rotation_x(rx)
+}
+
+/// [`facing`], as angles about X, Y and Z.
+pub(super) fn facing_deg(n: DVec3) -> DVec3 {
+    degrees(facing(n))
 }
 
 /// R = Rz·Ry·Rx as angles about X, Y and Z, to a thousandth of a degree.

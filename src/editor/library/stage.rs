@@ -2,14 +2,19 @@
 
 use glam::DVec3;
 
+use super::place::facing_deg;
 use crate::editor::viewport::bounds::{Ball, light_points};
 use crate::light::Shape;
 use crate::render::Film;
 use crate::scene::{Camera, Scene};
 use crate::surface::{self, Material, ReflectionModel, Surface};
 
-/// The brightness that all but a tenth of a thumbnail stays below, as a share of white.
-const KEY: f64 = 0.75;
+/// The brightness that three quarters of what is lit in a thumbnail stay below, as a share of white.
+const KEY: f64 = 0.5;
+/// Where the light hangs, for a light of radius 1 m.
+const LIGHT: DVec3 = DVec3::new(-1.9, 0.7, 2.3);
+/// Where the ball lies then; its radius is its height.
+const BALL: DVec3 = DVec3::new(0.3, 0.0, 0.75);
 
 /// What is rendered for a scene's thumbnail: the scene itself, or a preset's lights over a floor with a ball.
 pub(super) fn staged(scene: &Scene) -> Scene {
@@ -23,14 +28,13 @@ pub(super) fn staged(scene: &Scene) -> Scene {
     let size = match Ball::around(near.flat_map(light_points)) {
         None => 0.5,
         Some(ball) => {
-            // Near lights move together, to hang behind the ball and face it.
+            // Near lights move together, to hang to the left of the ball, a little behind it, and face it.
             let size = ball.radius.clamp(0.08, 2.0);
-            let by = size * DVec3::new(0.0, 1.9, 2.6) - ball.center;
+            let by = size * LIGHT - ball.center;
             for light in staged.lights.iter_mut().filter(|light| is_near(&light.shape)) {
                 light.position += by;
                 if scene.lights.len() == 1 {
-                    // Tilted towards the ball and the eye: Rx takes −Z to (0, sin rx, −cos rx).
-                    light.rotation_deg = DVec3::new(-52.0, 0.0, 0.0);
+                    light.rotation_deg = facing_deg((LIGHT - BALL).normalize());
                 }
             }
             size
@@ -38,19 +42,19 @@ pub(super) fn staged(scene: &Scene) -> Scene {
     };
     staged.surfaces = vec![
         surface("floor", DVec3::ZERO, surface::Shape::Plane {}),
-        surface("ball", DVec3::new(0.0, 0.0, 0.55 * size), surface::Shape::Sphere { radius: 0.55 * size }),
+        surface("ball", size * BALL, surface::Shape::Sphere { radius: size * BALL.z }),
     ];
     staged.camera =
-        Camera { eye: size * DVec3::new(0.9, -6.2, 2.6), target: size * DVec3::new(0.0, 0.6, 1.35), fov_deg: 40.0 };
+        Camera { eye: size * DVec3::new(0.5, -6.6, 2.4), target: size * DVec3::new(-0.55, 0.0, 1.25), fov_deg: 40.0 };
     staged
 }
 
-/// Steps of exposure that bring what is lit, but for its brightest tenth, below white.
+/// Steps of exposure that bring what is lit below white, but for the light itself and what is next to it.
 pub(super) fn exposure(film: &Film) -> f64 {
     let mut lit: Vec<f64> =
         film.radiance().iter().map(|radiance| radiance.max_element()).filter(|value| *value > 0.0).collect();
     lit.sort_by(f64::total_cmp);
-    let bright = lit.get(lit.len() * 9 / 10).or(lit.last()).copied().unwrap_or(100.0);
+    let bright = lit.get(lit.len() * 3 / 4).or(lit.last()).copied().unwrap_or(100.0);
     // What leaves a surface at 100 cd/m² is white at exposure 0.
     (100.0 * KEY / bright).log2()
 }

@@ -18,9 +18,9 @@ use crate::shading::Method;
 /// Width and height, pixels.
 pub const SIZE: [u32; 2] = [128, 80];
 /// Another number wherever thumbnails come to look different, so that old ones are not used.
-const VERSION: u32 = 1;
+const VERSION: u32 = 2;
 /// Most rays a pixel.
-const SAMPLES: u32 = 8;
+const SAMPLES: u32 = 4;
 
 /// Thumbnails, each made when it is first asked for; see the [module](self).
 #[derive(Default)]
@@ -144,7 +144,10 @@ fn render(scene: &Scene, progress: &Progress) -> Option<Picture> {
     // The picture is small: a textured light's first approximation is near enough, and far faster.
     let is_textured = staged.lights.iter().any(|light| matches!(light.shape, Shape::Textured(_)));
     let choice = if is_textured { MethodChoice::Approx } else { MethodChoice::Method(Method::Exact) };
-    let settings = Settings { size: SIZE, choice, samples: SAMPLES, shadows: Shadows::default() };
+    // So are shadows in closed form; those by rays would take most of the time.
+    let has_shadows = staged.lights.iter().all(|light| matches!(light.shape, Shape::Polygon(_) | Shape::Line(_)));
+    let shadows = if has_shadows { Shadows::default() } else { Shadows::None };
+    let settings = Settings { size: SIZE, choice, samples: SAMPLES, shadows };
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().ok()?;
     let film = pool.install(|| render::render(&staged, &settings, progress))?;
     let is_preset = scene.surfaces.is_empty();

@@ -92,7 +92,10 @@ pub fn ask_recover(ctx: &egui::Context, offer: &Offer, thumbnail: Option<&egui::
     if modal.should_close() { Some(Recover::Later) } else { modal.inner }
 }
 
-/// What to try first, over the middle of the window; whether it was dismissed.
+/// How much of the window's width the inspector has at first.
+const INSPECTOR_SHARE: f32 = 0.24;
+
+/// What to try first; whether it was dismissed.
 pub fn first_steps(ctx: &egui::Context) -> bool {
     const STEPS: [(&str, &str); 4] = [
         ("Drag", "a corner of the window light: all curves below follow"),
@@ -100,7 +103,9 @@ pub fn first_steps(ctx: &egui::Context) -> bool {
         ("Library", "below has lights and scenes: drag a light into the view"),
         ("F1", "shows all keys, Ctrl+P finds any command"),
     ];
-    let area = egui::Area::new(Id::unique("first steps")).anchor(Align2::LEFT_TOP, vec2(236.0, 128.0));
+    // Over the right of the view, where it hides no light.
+    let from_right = INSPECTOR_SHARE * ctx.content_rect().width() + 16.0;
+    let area = egui::Area::new(Id::unique("first steps")).anchor(Align2::RIGHT_TOP, vec2(-from_right, 128.0));
     area.show(ctx, |ui| {
         egui::Frame::popup(ui.style())
             .inner_margin(10)
