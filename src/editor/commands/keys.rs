@@ -5,6 +5,7 @@ use egui::{Key, KeyboardShortcut, Modifiers};
 use super::{Command, ListCommand};
 use crate::editor::app::App;
 use crate::editor::handles::place::Place;
+use crate::editor::panes::Pane;
 use crate::editor::session::Tool;
 use crate::editor::tools::typed;
 
@@ -20,7 +21,13 @@ impl Command {
         Self::SaveView,
         Self::ToggleEmitters,
         Self::ToggleGrid,
+        Self::EditPattern,
+        Self::LinkViews,
+        Self::AutoExposure,
+        Self::ShowPane(Pane::Plots),
         Self::Library,
+        Self::ShowPane(Pane::Problems),
+        Self::ShowPane(Pane::Variants),
         Self::FirstSteps,
         Self::ResetLayout,
         Self::ToggleTheme,

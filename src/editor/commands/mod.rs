@@ -182,6 +182,7 @@ impl Command {
         let surfaces = SurfaceKind::ALL.map(Self::AddSurface);
         let added = lights.into_iter().chain(surfaces).chain(plots.map(Self::AddPlot));
         let kinds = OutlineKind::ALL.map(Self::Outline).into_iter().chain(Pivot::ALL.map(Self::Pivot));
+        let kinds = kinds.chain(ViewMode::ALL.map(Self::ViewMode));
         others.chain(added).chain(kinds).chain(methods.into_iter().map(Self::Method)).collect()
     }
 

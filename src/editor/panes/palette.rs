@@ -146,6 +146,7 @@ fn named(command: &Command, session: &Session) -> String {
         Command::AddPlot(_) => format!("Add plot: {}", lower()),
         Command::Outline(_) => format!("Draw outline: {}", lower()),
         Command::Pivot(_) => format!("Pivot: {}", lower()),
+        Command::ViewMode(_) => format!("View: {}", lower()),
         Command::Method(_) => format!("Shade by {label}"),
         _ => label,
     }
