@@ -1,5 +1,7 @@
 //! Whatever a user does, nothing panics, and undo leads back to the start.
 
+use std::sync::Arc;
+
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, Rect, pos2, vec2};
 use softbox::editor::commands::{Category, Command};
 use softbox::scene;
@@ -74,7 +76,7 @@ impl Dice {
 }
 
 /// Something that a user does.
-fn gesture(window: &mut Window, dice: &mut Dice) -> String {
+fn gesture(window: &mut Window, dice: &mut Dice) {
     let canvas = window.harness.query_all_by_label("Viewport").next().map(|node| node.rect());
     let canvas = canvas.unwrap_or(Rect::from_min_size(pos2(300.0, 150.0), vec2(400.0, 250.0)));
     match dice.below(12) {
@@ -85,7 +87,6 @@ fn gesture(window: &mut Window, dice: &mut Dice) -> String {
             let (modifiers, key) = KEYS[dice.below(KEYS.len())];
             window.harness.key_press_modifiers(modifiers, key);
             window.harness.step();
-            format!("{modifiers:?} {key:?}")
         }
         8 => command(window, dice),
         9 => {
@@ -101,14 +102,13 @@ fn gesture(window: &mut Window, dice: &mut Dice) -> String {
                 modifiers: Modifiers::NONE,
             });
             window.harness.step();
-            format!("wheel {delta}")
         }
         10 => number(window, dice),
         _ => {
             let pos = dice.within(canvas);
-            let right = click(window, pos, PointerButton::Secondary, Modifiers::NONE, 1);
+            click(window, pos, PointerButton::Secondary, Modifiers::NONE, 1);
             let chosen = pos + vec2(20.0 + 60.0 * dice.share(), 200.0 * dice.share());
-            right + &click(window, chosen, PointerButton::Primary, Modifiers::NONE, 1)
+            click(window, chosen, PointerButton::Primary, Modifiers::NONE, 1);
         }
     }
 }
@@ -118,7 +118,7 @@ fn button(window: &mut Window, pos: Pos2, button: PointerButton, pressed: bool, 
     window.harness.step();
 }
 
-fn click(window: &mut Window, pos: Pos2, which: PointerButton, modifiers: Modifiers, times: usize) -> String {
+fn click(window: &mut Window, pos: Pos2, which: PointerButton, modifiers: Modifiers, times: usize) {
     window.harness.event(Event::ModifiersChanged(modifiers));
     window.harness.hover_at(pos);
     window.harness.step();
@@ -127,11 +127,10 @@ fn click(window: &mut Window, pos: Pos2, which: PointerButton, modifiers: Modifi
         button(window, pos, which, false, modifiers);
     }
     window.harness.event(Event::ModifiersChanged(Modifiers::NONE));
-    format!("{times} × {which:?} at {pos} {modifiers:?} ")
 }
 
 /// A drag within `canvas`, some taken back by Esc.
-fn drag(window: &mut Window, canvas: Rect, dice: &mut Dice) -> String {
+fn drag(window: &mut Window, canvas: Rect, dice: &mut Dice) {
     let modifiers = dice.modifiers();
     let from = dice.within(canvas);
     let to = dice.within(canvas);
@@ -143,18 +142,16 @@ fn drag(window: &mut Window, canvas: Rect, dice: &mut Dice) -> String {
         window.harness.hover_at(from.lerp(to, f32::from(step) / 4.0));
         window.harness.step();
     }
-    let cancelled = dice.below(5) == 0;
-    if cancelled {
+    if dice.below(5) == 0 {
         window.harness.key_press(Key::Escape);
         window.harness.step();
     }
     button(window, to, PointerButton::Primary, false, modifiers);
     window.harness.event(Event::ModifiersChanged(Modifiers::NONE));
-    format!("drag {from} to {to} {modifiers:?} {cancelled}")
 }
 
 /// Any command that does not leave the document.
-fn command(window: &mut Window, dice: &mut Dice) -> String {
+fn command(window: &mut Window, dice: &mut Dice) {
     let commands: Vec<Command> = Command::all(window.session())
         .into_iter()
         .filter(|command| command.category() != Category::File && command.enabled(window.session()))
@@ -162,22 +159,20 @@ fn command(window: &mut Window, dice: &mut Dice) -> String {
         .collect();
     let chosen = commands[dice.below(commands.len())].clone();
     let ctx = window.harness.ctx.clone();
-    chosen.clone().run(window.harness.state_mut(), &ctx);
+    chosen.run(window.harness.state_mut(), &ctx);
     window.harness.step();
-    format!("{chosen:?}")
 }
 
 /// Click somewhere among the numbers, and type one.
-fn number(window: &mut Window, dice: &mut Dice) -> String {
+fn number(window: &mut Window, dice: &mut Dice) {
     let pos = dice.within(Rect::from_min_max(pos2(1080.0, 90.0), pos2(1268.0, 640.0)));
-    let clicked = click(window, pos, PointerButton::Primary, Modifiers::NONE, 1);
+    click(window, pos, PointerButton::Primary, Modifiers::NONE, 1);
     window.harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
     let text = ["0", "1", "-0.5", "2.75", "90", "1e3", "nonsense", ""][dice.below(8)];
     window.harness.event(Event::Text(text.to_owned()));
     window.harness.step();
     window.harness.key_press(Key::Enter);
     window.harness.step();
-    format!("{clicked}{text}")
 }
 
 #[test]
@@ -186,9 +181,11 @@ fn three_hundred_random_gestures_never_panic_and_undo_to_the_start_byte_for_byte
     window.harness.state_mut().session.view.show_shadows = false;
     let start = scene::to_toml(&window.scene());
     let mut dice = Dice(2);
-    let mut done = Vec::new();
+    let mut changes = 0;
     for _ in 0..GESTURES {
-        done.push(gesture(&mut window, &mut dice));
+        let before = window.scene();
+        gesture(&mut window, &mut dice);
+        changes += usize::from(!Arc::ptr_eq(&before, &window.scene()));
     }
     // Whatever is under way comes to an end.
     for _ in 0..3 {
@@ -198,8 +195,7 @@ fn three_hundred_random_gestures_never_panic_and_undo_to_the_start_byte_for_byte
     let session = &mut window.harness.state_mut().session;
     session.commit();
     let end = scene::to_toml(session.scene());
-    let (steps, _) = session.history.depth();
-    assert!(steps >= 30, "only {steps} steps came of {done:#?}");
+    assert!(changes > GESTURES / 6, "only {changes} gestures changed anything");
     while session.history.undo_label().is_some() {
         session.undo();
     }
