@@ -1,7 +1,7 @@
 //! The library: looked through, searched, inserted from by key and by drag, and added to.
 
 use egui::accesskit::Role;
-use egui::{Key, Modifiers, Pos2, vec2};
+use egui::{Key, Modifiers, vec2};
 use softbox::scene;
 
 use crate::window::Window;
@@ -20,19 +20,13 @@ fn search(window: &mut Window, text: &str) {
     window.settle();
 }
 
-fn double_click(window: &mut Window, label: &str) {
-    let pos: Pos2 = window.get(label).rect().center();
-    window.drag(&[pos]);
-    window.drag(&[pos]);
-}
-
 #[test]
 fn a_light_is_found_by_its_tags_and_inserted_by_a_double_click() {
     let mut window = open();
     window.snapshot("library");
     search(&mut window, "studio rim");
     assert!(window.has("Strip softbox") && !window.has("Octabox"), "what was looked for");
-    double_click(&mut window, "Strip softbox");
+    window.double_click("Strip softbox");
     assert_eq!(window.scene().lights.len(), 4, "inserted");
     assert_eq!(window.session().history.undo_label(), Some("Insert Strip softbox"), "one step");
     search(&mut window, "no such light");
@@ -59,7 +53,7 @@ fn a_scene_is_opened_by_a_double_click_after_the_question_about_unsaved_work() {
     let mut window = open();
     search(&mut window, "three spheres");
     window.click("Show scenes");
-    double_click(&mut window, "Three spheres");
+    window.double_click("Three spheres");
     assert_eq!(window.scene().name, "Three spheres of one flux", "opened");
 }
 
@@ -80,6 +74,6 @@ fn a_selection_is_kept_as_a_preset_and_found_again() {
     assert_eq!(preset.tags, ["mine", "north"], "tags");
     assert_eq!(preset.lights.len(), 1, "one light");
     assert!(window.has("Big window"), "it is in the library");
-    double_click(&mut window, "Big window");
+    window.double_click("Big window");
     assert_eq!(window.scene().lights.len(), 4, "and can be inserted");
 }

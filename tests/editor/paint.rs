@@ -249,7 +249,7 @@ fn a_black_canvas_waits_for_something_that_shines() {
 #[test]
 fn the_painter_opens_from_the_inspector_and_says_what_to_select() {
     let mut window = painter();
-    window.click("Problems");
+    window.click("Library");
     window.click("Edit pattern");
     assert!(window.has("Pattern canvas"), "by the inspector's button");
     window.menu(&["Edit", "Select none"]);

@@ -207,6 +207,19 @@ impl Window {
         self.settle();
     }
 
+    /// Click what has that label twice, without waiting between.
+    #[track_caller]
+    pub(crate) fn double_click(&mut self, label: &str) {
+        let pos = self.get(label).rect().center();
+        self.harness.hover_at(pos);
+        self.harness.step();
+        for _ in 0..2 {
+            self.button(pos, true);
+            self.button(pos, false);
+        }
+        self.settle();
+    }
+
     fn button(&mut self, pos: Pos2, pressed: bool) {
         let modifiers = Modifiers::NONE;
         self.harness.event(egui::Event::PointerButton { pos, button: PointerButton::Primary, pressed, modifiers });
