@@ -182,12 +182,12 @@ pub fn toolbar(ui: &mut Ui, session: &mut Session) -> Option<Command> {
         tool_button(ui, session, icons::ICON_CENTER_FOCUS_STRONG, Command::Focus, &mut chosen);
         tool_button(ui, session, icons::ICON_ZOOM_OUT_MAP, Command::FrameAll, &mut chosen);
         ui.separator();
-        tool_button(ui, session, icons::ICON_CROP_SQUARE, Command::Viewports(1), &mut chosen);
-        tool_button(ui, session, icons::ICON_SPLITSCREEN_RIGHT, Command::Viewports(2), &mut chosen);
-        tool_button(ui, session, icons::ICON_GRID_VIEW, Command::Viewports(4), &mut chosen);
-        ui.separator();
-        // What the tool in hand is set to comes last, so that nothing else moves.
+        // What the tool in hand is set to comes last, so that nothing else moves; while drawing it needs all the room.
         if !session.tool.draws() {
+            tool_button(ui, session, icons::ICON_CROP_SQUARE, Command::Viewports(1), &mut chosen);
+            tool_button(ui, session, icons::ICON_SPLITSCREEN_RIGHT, Command::Viewports(2), &mut chosen);
+            tool_button(ui, session, icons::ICON_GRID_VIEW, Command::Viewports(4), &mut chosen);
+            ui.separator();
             handles::toolbar::show(ui, session, &mut chosen);
             ui.separator();
         }
