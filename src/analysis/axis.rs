@@ -51,14 +51,20 @@ impl Axis {
         Self { span, sides, steps, step: Some(step) }
     }
 
-    /// Where a value lies; none where a logarithmic axis has no place for it.
+    /// What places along the axis are proportional to: a value itself, or its decimal logarithm. Not finite where a
+    /// logarithmic axis has no place for the value.
+    pub fn coordinate(&self, value: f64) -> f64 {
+        match self.steps {
+            Steps::Decades => value.log10(),
+            _ => value,
+        }
+    }
+
+    /// Where a value lies; none where the axis has no place for it.
     pub fn at(&self, value: f64) -> Option<f64> {
-        let [low, high] = self.span;
-        let share = match self.steps {
-            Steps::Decades => (value > 0.0).then(|| (value / low).ln() / (high / low).ln())?,
-            _ => (value - low) / (high - low),
-        };
-        Some(self.sides[0] + share * (self.sides[1] - self.sides[0]))
+        let [low, high] = self.span.map(|end| self.coordinate(end));
+        let share = (self.coordinate(value) - low) / (high - low);
+        Some(self.sides[0] + share * (self.sides[1] - self.sides[0])).filter(|place| place.is_finite())
     }
 
     /// The value that lies at a place: the inverse of [`Self::at`].

@@ -101,31 +101,27 @@ impl Chart<'_> {
         turned.into_iter().find(|angle| (self.plot.range[0]..=self.plot.range[1]).contains(angle))
     }
 
-    fn draw_values(&self, ui: &Ui, frame: &Frame, left: f32, cursor: Option<f64>) {
-        frame.grid(ui.painter(), ui.visuals(), false);
-        frame.names(ui.painter(), ui.visuals(), None, self.labels[1], left);
-        for drawn in self.drawn {
-            frame.curve(drawn, drawn.trace.y, drawn.trace.band, ui);
-        }
-        self.draw_cursor(ui, frame, cursor);
+    fn draw_values(&self, ui: &mut Ui, frame: &Frame, left: f32, cursor: Option<f64>) {
+        let visuals = ui.visuals().clone();
+        frame.ground(ui.painter(), &visuals, false);
+        frame.names(ui.painter(), &visuals, None, self.labels[1], left);
+        frame.plot(ui, "values", cursor, |plot| {
+            for drawn in self.drawn {
+                frame.curve(drawn, drawn.trace.y, drawn.trace.band, &visuals, plot);
+            }
+        });
     }
 
-    fn draw_errors(&self, ui: &Ui, frame: &Frame, left: f32, cursor: Option<f64>) {
-        frame.grid(ui.painter(), ui.visuals(), true);
+    fn draw_errors(&self, ui: &mut Ui, frame: &Frame, left: f32, cursor: Option<f64>) {
+        let visuals = ui.visuals().clone();
+        frame.ground(ui.painter(), &visuals, true);
         let label = self.look.error_label(self.labels[1]);
-        frame.names(ui.painter(), ui.visuals(), Some(self.labels[0]), &label, left);
-        for drawn in self.drawn.iter().filter(|drawn| drawn.trace.error.is_some()) {
-            frame.curve(drawn, &self.look.errors(&drawn.trace), None, ui);
-        }
-        self.draw_cursor(ui, frame, cursor);
-    }
-
-    #[expect(clippy::unused_self, reason = "reads like its siblings")]
-    fn draw_cursor(&self, ui: &Ui, frame: &Frame, cursor: Option<f64>) {
-        let painter = ui.painter().with_clip_rect(frame.rect.intersect(ui.clip_rect()));
-        if let Some(x) = cursor {
-            frame.cursor(x, &painter, ui.visuals());
-        }
+        frame.names(ui.painter(), &visuals, Some(self.labels[0]), &label, left);
+        frame.plot(ui, "errors", cursor, |plot| {
+            for drawn in self.drawn.iter().filter(|drawn| drawn.trace.error.is_some()) {
+                frame.curve(drawn, &self.look.errors(&drawn.trace), None, &visuals, plot);
+            }
+        });
     }
 
     fn draw_polar(&self, ui: &Ui, rect: Rect, dial: &Dial, cursor: Option<f64>) {

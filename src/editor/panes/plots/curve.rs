@@ -1,6 +1,9 @@
 //! Curves on screen, by their pens.
 
-use egui::{Color32, Mesh, Painter, Pos2, Shape, Stroke, Visuals, pos2};
+use std::ops::RangeInclusive;
+
+use egui::{Color32, Mesh, Painter, Pos2, Shape, Stroke, Ui, Visuals, pos2};
+use egui_plot::{FilledArea, Line, PlotBounds, PlotGeometry, PlotItem, PlotItemBase, PlotTransform};
 
 use crate::analysis::Trace;
 use crate::editor::theme;
@@ -42,6 +45,20 @@ impl Drawn<'_> {
         painter.extend(dashed(places, self.trace.pen.dashes, self.stroke(visuals)));
     }
 
+    /// A part of the curve through points of a plot.
+    pub(super) fn curve(&self, points: Vec<[f64; 2]>, visuals: &Visuals) -> Curve {
+        let stroke = self.stroke(visuals);
+        let line = Line::new("curve", points).stroke(stroke).allow_band(false);
+        Curve { line, dashes: self.trace.pen.dashes, stroke }
+    }
+
+    /// Its band between points of a plot.
+    pub(super) fn area(&self, edges: &[[[f64; 2]; 2]], visuals: &Visuals) -> FilledArea {
+        let column = |of: fn(&[[f64; 2]; 2]) -> f64| edges.iter().map(of).collect::<Vec<_>>();
+        let [x, low, high] = [column(|[low, _]| low[0]), column(|[low, _]| low[1]), column(|[_, high]| high[1])];
+        FilledArea::new("band", &x, &low, &high).fill_color(self.color(visuals).gamma_multiply(BAND))
+    }
+
     /// A part of its band between places on screen.
     pub(super) fn band(&self, edges: &[[Pos2; 2]], painter: &Painter, visuals: &Visuals) {
         let color = self.color(visuals).gamma_multiply(BAND);
@@ -56,6 +73,50 @@ impl Drawn<'_> {
             }
         }
         painter.add(mesh);
+    }
+}
+
+/// A line with the dashes of any pen; `egui_plot` itself knows only dashes of one length.
+pub(super) struct Curve {
+    line: Line<'static>,
+    dashes: &'static [f32],
+    stroke: Stroke,
+}
+
+impl PlotItem for Curve {
+    fn shapes(&self, ui: &Ui, transform: &PlotTransform, shapes: &mut Vec<Shape>) {
+        let mut whole = Vec::new();
+        self.line.shapes(ui, transform, &mut whole);
+        for shape in whole {
+            match shape {
+                Shape::Path(path) => shapes.extend(dashed(&path.points, self.dashes, self.stroke)),
+                other => shapes.push(other),
+            }
+        }
+    }
+
+    fn initialize(&mut self, x_range: RangeInclusive<f64>) {
+        self.line.initialize(x_range);
+    }
+
+    fn color(&self) -> Color32 {
+        self.stroke.color
+    }
+
+    fn geometry(&self) -> PlotGeometry<'_> {
+        self.line.geometry()
+    }
+
+    fn bounds(&self) -> PlotBounds {
+        self.line.bounds()
+    }
+
+    fn base(&self) -> &PlotItemBase {
+        self.line.base()
+    }
+
+    fn base_mut(&mut self) -> &mut PlotItemBase {
+        self.line.base_mut()
     }
 }
 

@@ -4,7 +4,10 @@ use std::sync::Arc;
 
 use egui::epaint::TextShape;
 use egui::text::{LayoutJob, TextFormat};
-use egui::{Align, Align2, Color32, FontId, Galley, Painter, Pos2, Rect, Stroke, Ui, Visuals, pos2, vec2};
+use egui::{
+    Align, Align2, Color32, FontId, Galley, Painter, Pos2, Rect, Sense, Ui, UiBuilder, Vec2, Visuals, pos2, vec2,
+};
+use egui_plot::{GridMark, HLine, Plot, PlotBounds, PlotUi, VLine};
 
 use super::curve::{Drawn, place};
 use crate::analysis::axis::Axis;
@@ -23,6 +26,10 @@ const TEXT: f32 = 11.0;
 const RAISED: f32 = 8.0;
 /// Points between labels of the abscissa and of the ordinate, at least.
 const APART: [f32; 2] = [62.0, 26.0];
+/// How far curves reach over the frame, so that those along its sides are as wide as others, points.
+const OVERLAP: f32 = 1.0;
+/// Curves are followed that many times the height above and below the frame.
+const NEAR: f64 = 4.0;
 
 /// A pair of axes.
 #[derive(Clone, Copy, Debug)]
@@ -51,22 +58,17 @@ pub(super) fn labels(length: f32, ordinate: bool) -> f64 {
 }
 
 impl Frame {
-    /// Ground, grid lines and numbers.
-    pub(super) fn grid(&self, painter: &Painter, visuals: &Visuals, numbers_below: bool) {
-        let (rect, line) = (self.rect, Stroke::new(1.0, grid_color(visuals)));
+    /// Ground and numbers.
+    pub(super) fn ground(&self, painter: &Painter, visuals: &Visuals, numbers_below: bool) {
+        let rect = self.rect;
         painter.rect_filled(rect, 2.0, visuals.extreme_bg_color);
         let color = visuals.weak_text_color();
-        for tick in self.x.ticks(labels(rect.width(), false)) {
+        for tick in self.x.ticks(labels(rect.width(), false)).into_iter().filter(|_| numbers_below) {
             let Some(x) = self.x.at(tick.value).map(|x| place([x, 0.0]).x) else { continue };
-            painter.line_segment([pos2(x, rect.top()), pos2(x, rect.bottom())], line);
-            if numbers_below {
-                text(&tick.label, pos2(x, rect.bottom() + 3.0), Align2::CENTER_TOP, color, painter);
-            }
+            text(&tick.label, pos2(x, rect.bottom() + 3.0), Align2::CENTER_TOP, color, painter);
         }
         for tick in self.y.ticks(labels(rect.height(), true)) {
             let Some(y) = self.y.at(tick.value).map(|y| place([0.0, y]).y) else { continue };
-            let zero = if tick.value.abs() > 0.0 { line } else { Stroke::new(1.0, visuals.weak_text_color()) };
-            painter.line_segment([pos2(rect.left(), y), pos2(rect.right(), y)], zero);
             text(&tick.label, pos2(rect.left() - 5.0, y), Align2::RIGHT_CENTER, color, painter);
         }
     }
@@ -83,43 +85,81 @@ impl Frame {
         }
     }
 
+    /// Grid lines, what `draw` adds, and a line through the abscissa under the pointer. Its coordinates are the axes'
+    /// [own](Axis::coordinate), and it is still: these are steered elsewhere. `id` is unique within `ui`.
+    pub(super) fn plot<'a>(&self, ui: &mut Ui, id: &str, cursor: Option<f64>, draw: impl FnOnce(&mut PlotUi<'a>) + 'a) {
+        let Self { rect, x, y } = *self;
+        let [grid, zero, line] = [grid_color(ui.visuals()), ui.visuals().weak_text_color(), ui.visuals().text_color()];
+        let [columns, rows] = [labels(rect.width(), false), labels(rect.height(), true)];
+        let [[left, right], [bottom, top]] = [ends(&x, rect.width()), ends(&y, rect.height())];
+        let mut inside = ui.new_child(UiBuilder::new().max_rect(rect.expand(OVERLAP)));
+        let plot =
+            Plot::new(id).min_size(Vec2::ZERO).show_background(false).show_axes(false).show_x(false).show_y(false);
+        let still = plot.sense(Sense::hover()).allow_drag(false).allow_zoom(false).allow_scroll(false);
+        let still = still.allow_axis_zoom_drag(false).allow_boxed_zoom(false).allow_double_click_reset(false);
+        let ruled = still.grid_color(grid).grid_fade(0.0);
+        let ruled = ruled.x_grid_spacer(move |_| marks(&x, columns)).y_grid_spacer(move |_| marks(&y, rows));
+        ruled.show(&mut inside, move |plot| {
+            plot.set_plot_bounds(PlotBounds::from_min_max([left, bottom], [right, top]));
+            if y.at(0.0).is_some() {
+                plot.hline(HLine::new("zero", 0.0).color(zero));
+            }
+            draw(plot);
+            if let Some(at) = cursor {
+                plot.vline(VLine::new("cursor", x.coordinate(at)).color(line));
+            }
+        });
+    }
+
     /// A curve through the values `y`, with its band where that is of these.
-    pub(super) fn curve(&self, drawn: &Drawn<'_>, y: &[f64], band: Option<&[f64]>, ui: &Ui) {
-        let painter = ui.painter().with_clip_rect(self.rect.expand(1.0).intersect(ui.clip_rect()));
+    pub(super) fn curve(
+        &self,
+        drawn: &Drawn<'_>,
+        y: &[f64],
+        band: Option<&[f64]>,
+        visuals: &Visuals,
+        plot: &mut PlotUi<'_>,
+    ) {
         let x = drawn.trace.x;
         if let Some(band) = band {
             let edges = x
                 .iter()
                 .zip(y)
                 .zip(band)
-                .filter_map(|((x, y), band)| Some([self.place(*x, y - band)?, self.place(*x, y + band)?]));
-            drawn.band(&edges.collect::<Vec<_>>(), &painter, ui.visuals());
+                .filter_map(|((x, y), band)| Some([self.point(*x, y - band)?, self.point(*x, y + band)?]));
+            plot.add(drawn.area(&edges.collect::<Vec<_>>(), visuals));
         }
-        let mut piece: Vec<Pos2> = Vec::new();
-        let places = x.iter().zip(y).map(|(x, y)| self.place(*x, *y));
-        for at in places.chain([None]) {
-            match at {
-                Some(at) => piece.push(at),
-                None if piece.len() > 1 => drawn.line(&std::mem::take(&mut piece), &painter, ui.visuals()),
+        let mut piece: Vec<[f64; 2]> = Vec::new();
+        let points = x.iter().zip(y).map(|(x, y)| self.point(*x, *y));
+        for point in points.chain([None]) {
+            match point {
+                Some(point) => piece.push(point),
+                None if piece.len() > 1 => plot.add(drawn.curve(std::mem::take(&mut piece), visuals)),
                 None => piece.clear(),
             }
         }
     }
 
-    /// Where a point of a curve lies; what is far outside is brought near.
-    fn place(&self, x: f64, y: f64) -> Option<Pos2> {
-        let near = f64::from(4.0 * self.rect.height());
-        let at = self.y.at(y).filter(|y| y.is_finite())?;
-        let y = at.clamp(f64::from(self.rect.top()) - near, f64::from(self.rect.bottom()) + near);
-        Some(place([self.x.at(x)?, y]))
+    /// The coordinates of a point of a curve; what is far outside is brought near.
+    fn point(&self, x: f64, y: f64) -> Option<[f64; 2]> {
+        let [low, high] = self.y.span.map(|end| self.y.coordinate(end));
+        let near = NEAR * (high - low);
+        let [x, y] = [self.x.coordinate(x), self.y.coordinate(y)];
+        (x.is_finite() && y.is_finite()).then(|| [x, y.clamp(low - near, high + near)])
     }
+}
 
-    /// A line through the abscissa under the pointer.
-    pub(super) fn cursor(&self, x: f64, painter: &Painter, visuals: &Visuals) {
-        let Some(x) = self.x.at(x).map(|x| place([x, 0.0]).x) else { return };
-        let ends = [pos2(x, self.rect.top()), pos2(x, self.rect.bottom())];
-        painter.line_segment(ends, Stroke::new(1.0, visuals.text_color()));
-    }
+/// The coordinates at the ends of an axis of that length, with the overlap.
+fn ends(axis: &Axis, length: f32) -> [f64; 2] {
+    let [low, high] = axis.span.map(|end| axis.coordinate(end));
+    let overlap = (high - low) * f64::from(OVERLAP / length);
+    [low - overlap, high + overlap]
+}
+
+/// Grid lines, all alike, at about `count` labels.
+fn marks(axis: &Axis, count: f64) -> Vec<GridMark> {
+    let marks = axis.ticks(count).into_iter().map(|tick| axis.coordinate(tick.value));
+    marks.map(|value| GridMark { value, step_size: f64::INFINITY }).collect()
 }
 
 /// The colour of grid lines.
