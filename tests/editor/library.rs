@@ -49,7 +49,7 @@ fn a_light_dragged_into_the_view_stands_where_it_is_dropped() {
 }
 
 #[test]
-fn a_scene_is_opened_by_a_double_click_after_the_question_about_unsaved_work() {
+fn a_scene_is_opened_by_a_double_click() {
     let mut window = open();
     search(&mut window, "three spheres");
     window.click("Show scenes");

@@ -23,7 +23,7 @@ const SNAPSHOT_THRESHOLD: f32 = 1.5;
 const SNAPSHOT_FAILED_PIXELS: usize = 1500;
 
 /// How long work off the UI thread may take.
-const PATIENCE: Duration = Duration::from_secs(60);
+const PATIENCE: Duration = Duration::from_secs(180);
 
 /// The editor in a window of 1280 × 800 points.
 pub(crate) struct Window {

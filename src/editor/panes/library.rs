@@ -185,7 +185,8 @@ impl Library {
                         self.chosen = Some(index);
                     }
                     let by_key = response.has_focus() && ui.input(|input| input.key_pressed(Key::Enter));
-                    if response.double_clicked() || by_key {
+                    // A click elsewhere just before makes a double click the end of a triple one.
+                    if response.double_clicked() || response.triple_clicked() || by_key {
                         taken = Some(index);
                     }
                     carry(&response, &entries[index], session);
