@@ -159,7 +159,7 @@ pub fn reference(emitter: &Emitter, at: &ShadingPoint, lobe: &Lobe) -> BoundedRe
     bounded(emitter, at, lobe, None)
 }
 
-/// [`reference`], given up when `cancel` is set meanwhile: over a large pattern it takes seconds.
+/// [`reference()`], given up when `cancel` is set meanwhile: over a large pattern it takes seconds.
 pub fn reference_unless(
     emitter: &Emitter,
     at: &ShadingPoint,

@@ -46,7 +46,7 @@ const GESTURES: &[(&str, &[(&str, &str)])] = &[
     ),
 ];
 
-/// See the [module](self).
+/// The list of all keys, and what is searched in it.
 #[derive(Debug, Default)]
 pub struct Keys {
     query: String,

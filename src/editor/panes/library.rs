@@ -19,7 +19,7 @@ use crate::editor::theme;
 const PICTURE: egui::Vec2 = vec2(128.0, 80.0);
 const TITLE_HEIGHT: f32 = 20.0;
 
-/// See the [module](self).
+/// The pane of presets and scenes.
 #[derive(Default)]
 pub struct Library {
     folder: Option<PathBuf>,

@@ -11,7 +11,7 @@ use crate::scene::Scene;
 /// How many lines are shown at most.
 const MOST_LINES: usize = 12;
 
-/// See the [module](self).
+/// The command palette.
 #[derive(Debug, Default)]
 pub struct Palette {
     query: String,
