@@ -80,7 +80,7 @@ fn false_color(at: vec2i, covered: f32) -> vec4f {
         default: {
             let illuminance = textureLoad(radiance_mean, at, 0).w / covered;
             let share = scale_share(illuminance);
-            return on_isolines(at, illuminance, share, color_at(0u, share));
+            return on_isolines(at, illuminance, color_at(0u, share));
         }
     }
 }
@@ -125,18 +125,19 @@ fn color_at(table: u32, share: f32) -> vec4f {
     return mix(colors[table + cell], colors[table + cell + 1u], x - f32(cell));
 }
 
-// Lines about 1.5 pixels wide where the illuminance passes a level.
-fn on_isolines(at: vec2i, illuminance: f32, share: f32, color: vec4f) -> vec4f {
+// Lines about 1.5 pixels wide where the illuminance passes a level: white on dark colours, dark on bright ones.
+fn on_isolines(at: vec2i, illuminance: f32, color: vec4f) -> vec4f {
     if shown.level_count == 0u {
         return color;
     }
     let slope = length(vec2f(slope_along(at, vec2i(1, 0), illuminance), slope_along(at, vec2i(0, 1), illuminance)));
-    var nearest = 3e38;
-    for (var i = 0u; i < shown.level_count; i++) {
-        nearest = min(nearest, abs(illuminance - shown.levels[i / 4u][i % 4u]));
+    var nearest = shown.levels[0].x;
+    for (var i = 1u; i < shown.level_count; i++) {
+        let level = shown.levels[i / 4u][i % 4u];
+        nearest = select(nearest, level, abs(illuminance - level) < abs(illuminance - nearest));
     }
-    let strength = clamp(1.25 - nearest / max(slope, 1e-30), 0.0, 1.0);
-    let line = select(vec3f(1.0), vec3f(0.05), share > 0.6);
+    let strength = clamp(1.25 - abs(illuminance - nearest) / max(slope, 1e-30), 0.0, 1.0);
+    let line = select(vec3f(1.0), vec3f(0.05), scale_share(nearest) > 0.65);
     return vec4f(mix(color.xyz, line, 0.85 * strength), 1.0);
 }
 
