@@ -122,11 +122,14 @@ impl Window {
     }
 
     /// The labels of what can be undone, by undoing it all.
+    #[track_caller]
     pub(crate) fn steps_back(&mut self) -> Vec<String> {
         let mut labels = Vec::new();
         while let Some(label) = self.session().history.undo_label() {
             labels.push(label.to_owned());
+            let before = self.scene();
             self.key(Modifiers::COMMAND, Key::Z);
+            assert!(!Arc::ptr_eq(&before, &self.scene()), "{labels:?}: the last is not undone");
         }
         labels
     }

@@ -169,6 +169,10 @@ impl Viewport {
     /// What the mouse does in the screen that it is in.
     fn act(&mut self, ui: &Ui, canvas: &Response, session: &mut Session) {
         let handles = self.overlays.handles;
+        if canvas.drag_started() {
+            // A click elsewhere takes the keys from a text field, but a drag would not.
+            ui.memory_mut(|memory| memory.stop_text_input());
+        }
         session.with_view(self.home, |session| {
             self.pointer.update(ui, canvas, session, &self.solids, handles);
             session.under_pointer = self.pointer.hovered();
