@@ -50,7 +50,7 @@ pub struct Series {
     pub max_error: f64,
     /// Root of the mean squared error.
     pub rms_error: f64,
-    /// Measured cost of one point with all lights, ns: the median over batches.
+    /// Measured cost of one point with all lights, ns: the median over batches. Not a number where nobody wants it.
     pub cost_ns: f64,
 }
 

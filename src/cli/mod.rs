@@ -3,6 +3,7 @@
 mod check;
 mod columns;
 mod difference;
+mod export;
 mod figures;
 mod files;
 mod plot;
@@ -64,6 +65,7 @@ enum Command {
     Probe(probe::Args),
     Report(report::Args),
     Figures(figures::Args),
+    Export(export::Args),
     Check(check::Args),
     Verify(verify::Args),
     /// Print the JSON Schema of scene files.
@@ -94,6 +96,7 @@ pub fn run(
         Some(Command::Probe(args)) => probe::run(args),
         Some(Command::Report(args)) => report::run(args),
         Some(Command::Figures(args)) => figures::run(args),
+        Some(Command::Export(args)) => export::run(args),
         Some(Command::Check(args)) => check::run(args),
         Some(Command::Verify(args)) => verify::run(args),
         Some(Command::Schema) => schema::run(),

@@ -8,11 +8,8 @@ use anyhow::bail;
 
 use super::{Outcome, files};
 use crate::analysis::{self, Sheet};
-use crate::export::plot::PlotFormat;
+use crate::export::plot::{PlotFormat, SAMPLES};
 use crate::scene::{Plot, Scene};
-
-/// Points of a curve: half a degree apart over ±90°.
-const SAMPLES: usize = 361;
 
 /// Draw the plots of a scene, a curve a method, with errors and costs, or write them as CSV.
 #[derive(Debug, clap::Args)]

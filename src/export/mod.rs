@@ -1,8 +1,36 @@
 //! What leaves the program: one file a format. Every writer gives bytes; putting them in a file is up to the caller.
+//!
+//! [`export()`] writes a scene, or some of its lights, for a [`Target`], and says what becomes of each thing. The other
+//! modules encode single results: a picture, a plot, a map of errors.
 
 pub mod csv;
 pub mod error_map;
 pub mod exr;
+mod job;
+mod json;
+mod picture;
 pub mod plot;
+mod plots;
 pub mod png;
+pub mod preflight;
 pub mod svg;
+mod target;
+
+pub use job::{ExportError, Exported, File, Job, Options};
+pub use preflight::{Fate, Remark};
+pub use target::{Target, UnknownTarget};
+
+use crate::render::Progress;
+
+/// The files of a job and what becomes of each thing in it. The same job gives the same files.
+///
+/// # Errors
+///
+/// Where a light is not in the scene, the target can hold nothing of it, or the work is cancelled.
+pub fn export(job: &Job, progress: &Progress) -> Result<Exported, ExportError> {
+    match job.target {
+        Target::Json => json::write(job, progress),
+        Target::Csv | Target::Svg => plots::write(job, progress),
+        Target::Png | Target::Exr => picture::write(job, progress),
+    }
+}

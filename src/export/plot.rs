@@ -3,6 +3,9 @@
 use super::{csv, png, svg};
 use crate::analysis::Sheet;
 
+/// Points of a curve where nobody says otherwise: half a degree apart over ±90°.
+pub const SAMPLES: usize = 361;
+
 /// Pixels of a PNG a unit of its SVG, which is 1000 wide.
 const PNG_SCALE: f32 = 2.0;
 

@@ -84,6 +84,11 @@ impl Progress {
         self.done.fetch_add(steps, Ordering::Relaxed);
     }
 
+    /// What turns true when an early end is asked for.
+    pub fn cancelled(&self) -> &AtomicBool {
+        &self.cancelled
+    }
+
     /// Ask for an early end.
     pub fn cancel(&self) {
         self.cancelled.store(true, Ordering::Relaxed);

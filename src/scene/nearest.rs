@@ -1,7 +1,7 @@
 //! What somebody may have meant by a name that does not exist.
 
 /// "did you mean …?" where a known name is near, else a list of the known names.
-pub(super) fn suggestion<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> String {
+pub fn suggestion<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> String {
     let known: Vec<_> = known.into_iter().collect();
     let nearest = known.iter().map(|candidate| (edit_distance(name, candidate), candidate)).min();
     match nearest {

@@ -35,6 +35,21 @@ pub fn painted_pattern(image: Image, old: &Pattern, scene: Option<&Path>) -> Pat
     Pattern::of_image(format!("{}/{stem}.png", own_folder(scene)), image)
 }
 
+/// What a pattern's file holds, and its extension: what it was read from, or exactly the texels of one that no file holds
+/// yet.
+///
+/// # Errors
+///
+/// Where the memory for a file is not to be had.
+pub fn pattern_file(pattern: &Pattern) -> ImageResult<(Contents, String)> {
+    if pattern.contents.0.is_empty() {
+        let (bytes, extension) = encode(&pattern.image)?;
+        return Ok((Contents(Arc::from(bytes)), extension.to_owned()));
+    }
+    let extension = Path::new(&pattern.file).extension().unwrap_or_default().to_string_lossy();
+    Ok((pattern.contents.clone(), extension.into_owned()))
+}
+
 /// The scene with a file for each of its painted patterns, to be saved as `path`; `None` where all have one.
 ///
 /// Each is named in the scene's own folder, numbered where a file of that name is not known from `saved`, the scene as
@@ -59,12 +74,7 @@ pub fn with_painted_files(scene: &Scene, path: &Path, saved: Option<&Scene>) -> 
     for old in painted {
         let file = Path::new(&old.file);
         let stem = file.file_stem().unwrap_or_default().to_string_lossy();
-        let (contents, extension) = if old.contents.0.is_empty() {
-            let (bytes, extension) = encode(&old.image)?;
-            (Contents(Arc::from(bytes)), extension.into())
-        } else {
-            (old.contents.clone(), file.extension().unwrap_or_default().to_string_lossy())
-        };
+        let (contents, extension) = pattern_file(&old)?;
         let wanted = format!("{}/{stem}.{extension}", own_folder(Some(path)));
         let is_taken = |name: &str| {
             let mut others = scene.all_lights().filter_map(pattern_of);

@@ -228,23 +228,74 @@ impl Table {
 ///
 /// What the system says; the old file is then as it was.
 pub fn replace_file(path: &Path, bytes: &[u8]) -> io::Result<()> {
-    let path = follow_links(path)?;
-    let folder = beside::folder_of(&path);
-    let old = match fs::metadata(&path) {
-        Ok(old) if old.is_dir() => return Err(io::ErrorKind::IsADirectory.into()),
-        Ok(old) if !old.is_file() => return Err(io::Error::other("it is not a regular file")),
-        Ok(old) if old.permissions().readonly() => return Err(io::Error::other("the file is read-only")),
-        Ok(old) => Some(old),
-        Err(error) if error.kind() == io::ErrorKind::NotFound => None,
-        Err(error) => return Err(error),
-    };
-    let new = temporary_file(folder, bytes)?;
-    if let Some(old) = old {
-        new.as_file().set_permissions(old.permissions())?;
+    Staged::new(path, bytes)?.put()
+}
+
+/// [`replace_file`] for several files: all or none. Each is on the disk under another name before the first takes its own.
+///
+/// # Errors
+///
+/// What the system says, and of which file; all old files are then as they were.
+pub fn replace_files(files: &[(PathBuf, &[u8])]) -> Result<(), (PathBuf, io::Error)> {
+    let staged: Vec<_> = files
+        .iter()
+        .map(|(path, bytes)| Staged::with_old(path, bytes).map_err(|error| (path.clone(), error)))
+        .collect::<Result<_, _>>()?;
+    let mut done: Vec<(PathBuf, Option<Vec<u8>>)> = Vec::new();
+    for ((staged, old), (name, _)) in staged.into_iter().zip(files) {
+        let path = staged.path.clone();
+        if let Err(error) = staged.put() {
+            // What cannot be undone either is not worse than what is told.
+            for (path, old) in done {
+                let _ = old.map_or_else(|| fs::remove_file(&path), |old| replace_file(&path, &old));
+            }
+            return Err((name.clone(), error));
+        }
+        done.push((path, old));
     }
-    new.as_file().sync_all()?;
-    new.persist(&path).map_err(|error| error.error)?;
-    sync_folder(folder)
+    Ok(())
+}
+
+/// A file that is on the disk, but not yet under its name.
+struct Staged {
+    new: NamedTempFile,
+    path: PathBuf,
+}
+
+impl Staged {
+    /// Put the bytes beside the file `path`, ready to take its place.
+    fn new(path: &Path, bytes: &[u8]) -> io::Result<Self> {
+        let path = follow_links(path)?;
+        let old = match fs::metadata(&path) {
+            Ok(old) if old.is_dir() => return Err(io::ErrorKind::IsADirectory.into()),
+            Ok(old) if !old.is_file() => return Err(io::Error::other("it is not a regular file")),
+            Ok(old) if old.permissions().readonly() => return Err(io::Error::other("the file is read-only")),
+            Ok(old) => Some(old),
+            Err(error) if error.kind() == io::ErrorKind::NotFound => None,
+            Err(error) => return Err(error),
+        };
+        let new = temporary_file(beside::folder_of(&path), bytes)?;
+        if let Some(old) = old {
+            new.as_file().set_permissions(old.permissions())?;
+        }
+        new.as_file().sync_all()?;
+        Ok(Self { new, path })
+    }
+
+    /// [`Self::new`], and what stands in its place now.
+    fn with_old(path: &Path, bytes: &[u8]) -> io::Result<(Self, Option<Vec<u8>>)> {
+        let staged = Self::new(path, bytes)?;
+        match fs::read(&staged.path) {
+            Err(error) if error.kind() == io::ErrorKind::NotFound => Ok((staged, None)),
+            old => Ok((staged, Some(old?))),
+        }
+    }
+
+    /// Give it its name.
+    fn put(self) -> io::Result<()> {
+        self.new.persist(&self.path).map_err(|error| error.error)?;
+        sync_folder(beside::folder_of(&self.path))
+    }
 }
 
 /// Make the file `path` of `bytes`, all or nothing; never in the place of another.

@@ -23,8 +23,10 @@ pub(super) fn write(svg: &mut String, corner: [f64; 2], sheet: &Sheet) {
     let Sheet { plot, curves, pins, .. } = sheet;
     let _ = writeln!(svg, "<g transform=\"translate({} {})\">", corner[0], corner[1]);
     let unit = unit(&curves.y_label);
-    row(svg, 11.0, &format!("fill=\"{WEAK}\""), "Method", ["Max error", "RMS", "Cost", "Ratio"]);
-    row(svg, 25.0, &format!("fill=\"{WEAK}\""), "", [unit, unit, "a point", ""]);
+    let has_costs = curves.series.iter().any(|series| series.cost_ns.is_finite());
+    let [cost, ratio, a_point] = if has_costs { ["Cost", "Ratio", "a point"] } else { [""; 3] };
+    row(svg, 11.0, &format!("fill=\"{WEAK}\""), "Method", ["Max error", "RMS", cost, ratio]);
+    row(svg, 25.0, &format!("fill=\"{WEAK}\""), "", [unit, unit, a_point, ""]);
     let _ = writeln!(svg, "<path d=\"M{LINE} 33H{}\" stroke=\"{GRID}\"/>", COLUMNS[3]);
     let cheapest = curves.series.iter().map(|series| series.cost_ns).fold(f64::INFINITY, f64::min);
     let mut y = 50.0;
@@ -59,14 +61,18 @@ fn row(svg: &mut String, y: f64, style: &str, name: &str, figures: [&str; 4]) {
     svg.push_str("</g>\n");
 }
 
-/// Errors and cost; the exact curve is what the others are measured against.
+/// Errors, and cost where it was measured; the exact curve is what the others are measured against.
 fn figures(series: &Series, cheapest: f64) -> [String; 4] {
     let error = |error: f64| if series.method == Method::Exact { String::new() } else { three_digits(error) };
     [
         error(series.max_error),
         error(series.rms_error),
-        time(series.cost_ns),
-        if cheapest > 0.0 { two_digits(series.cost_ns / cheapest) } else { String::new() },
+        if series.cost_ns.is_finite() { time(series.cost_ns) } else { String::new() },
+        if cheapest > 0.0 && series.cost_ns.is_finite() {
+            two_digits(series.cost_ns / cheapest)
+        } else {
+            String::new()
+        },
     ]
 }
 
@@ -96,8 +102,10 @@ fn notes(plot: &Plot, curves: &Curves, pinned: bool) -> Vec<String> {
         format!("Probe at {} m, normal {},", v(plot.position), v(plot.normal)),
         format!("{moved} {}.", v(plot.axis)),
         "Error: method − exact. No shadows.".to_owned(),
-        "Cost: measured, all lights; ratio to the cheapest.".to_owned(),
     ];
+    if curves.series.iter().any(|series| series.cost_ns.is_finite()) {
+        notes.push("Cost: measured, all lights; ratio to the cheapest.".to_owned());
+    }
     if pinned {
         notes.push("Pinned curves: how far the exact one is from them now.".to_owned());
     }
