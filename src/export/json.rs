@@ -130,7 +130,7 @@ fn value(of: &Value) -> String {
     match of {
         Value::String(text) => quoted(text.value()),
         Value::Integer(number) => number.value().to_string(),
-        Value::Float(number) => number.value().to_string(),
+        Value::Float(number) => format!("{:?}", number.value()),
         Value::Boolean(truth) => truth.value().to_string(),
         Value::Datetime(time) => quoted(&time.value().to_string()),
         Value::Array(values) => format!("[{}]", values.iter().map(value).collect::<Vec<_>>().join(", ")),
