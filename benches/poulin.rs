@@ -178,7 +178,7 @@ fn fits(shape: &Shape, shadows: Shadows) -> [Fit; 2] {
     let points = |count| Picture {
         scene: above_a_plane(
             shape,
-            (0..count).map(|i| overhead(place(i, count), LightShape::Point(Point {}))).collect(),
+            (0..count).map(|i| overhead(place(i, count), LightShape::Point(Point::default()))).collect(),
         ),
         settings: settings(SIZE_1, Method::Exact, shadows),
     };

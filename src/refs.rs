@@ -55,3 +55,7 @@ pub const JARZYNSKI_OLANO_2020: &str = "Jarzynski & Olano 2020";
 /// T. Duff, J. Burgess, P. Christensen, C. Hery, A. Kensler, M. Liani and R. Villemin, *Building an Orthonormal Basis,
 /// Revisited*, Journal of Computer Graphics Techniques 6(1), 2017.
 pub const DUFF_2017: &str = "Duff et al. 2017";
+
+/// Illuminating Engineering Society of North America, *Standard File Format for the Electronic Transfer of Photometric
+/// Data*, ANSI/IESNA LM-63-02, 2002.
+pub const LM_63: &str = "ANSI/IESNA LM-63-02";

@@ -39,7 +39,7 @@ fn textured(side: usize) -> Shape {
 
 /// What the others are multiples of.
 pub(crate) fn point() -> Shape {
-    Shape::Point(Point {})
+    Shape::Point(Point::default())
 }
 
 /// The methods that are measured: not those that integrate adaptively, which take milliseconds a point.

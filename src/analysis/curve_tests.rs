@@ -51,7 +51,7 @@ fn sun() -> Scene {
 }
 
 fn bulb() -> Scene {
-    scene(vec![light(Shape::Point(Point {}), QuantityKind::Intensity, 100.0)])
+    scene(vec![light(Shape::Point(Point::default()), QuantityKind::Intensity, 100.0)])
 }
 
 fn run(scene: &Scene, plot: &Plot, samples: usize) -> Curves {
@@ -126,7 +126,7 @@ fn errors_are_differences_to_exact_and_their_maximum_and_rms() {
 fn methods_are_those_of_the_lights_that_shine() {
     let line = Shape::Line(Line::isotropic(1.0));
     let mut scene = scene(vec![
-        light(Shape::Point(Point {}), QuantityKind::Intensity, 1.0),
+        light(Shape::Point(Point::default()), QuantityKind::Intensity, 1.0),
         light(line, QuantityKind::IntensityPerMetre, 1.0),
     ]);
     let names = |scene: &Scene| methods_for(scene).iter().map(ToString::to_string).collect::<Vec<_>>();

@@ -124,7 +124,7 @@ mod tests {
     use crate::surface::{self, Surface};
 
     fn under_a_lamp(surfaces: Vec<Surface>) -> Scene {
-        let mut light = Light::new("lamp", Shape::Point(Point {}));
+        let mut light = Light::new("lamp", Shape::Point(Point::default()));
         light.position = DVec3::new(0.0, 0.0, 2.0);
         light.quantity = Quantity::new(QuantityKind::Intensity, 400.0);
         Scene { lights: vec![light], surfaces, ..Scene::default() }

@@ -149,7 +149,7 @@ impl<'a> Subject<'a> {
     ///
     /// The runs of all methods and of the point light alternate, so that a busy spell of the machine hits all alike.
     fn costs(&self, methods: &[Method], progress: &Progress) -> Option<Vec<(f64, f64)>> {
-        let bulb = Light { position: self.light.position, ..Light::new("", Shape::Point(Point {})) };
+        let bulb = Light { position: self.light.position, ..Light::new("", Shape::Point(Point::default())) };
         let step = self.points.len().div_ceil(TIMED_POINTS).max(1);
         let points: Vec<_> = self.points.iter().step_by(step).copied().collect();
         let subjects = methods.iter().map(|&method| self.alone(self.light.clone(), method));

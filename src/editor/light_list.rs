@@ -262,7 +262,7 @@ mod tests {
     fn session(list: &[&str]) -> Session {
         let light = |text: &&str| {
             let (name, group) = text.split_once(':').map_or((*text, None), |(name, group)| (name, Some(group)));
-            Light { group: group.map(str::to_owned), ..Light::new(name, Shape::Point(Point {})) }
+            Light { group: group.map(str::to_owned), ..Light::new(name, Shape::Point(Point::default())) }
         };
         Session::new(Scene { lights: list.iter().map(light).collect(), ..Scene::default() }, None)
     }

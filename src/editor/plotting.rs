@@ -106,7 +106,7 @@ mod tests {
     #[test]
     fn a_pin_is_called_after_what_was_there() {
         let globe = Light::new("globe", Shape::Sphere(Sphere { radius: 0.1234 }));
-        let lamp = Light { muted: true, ..Light::new("lamp", Shape::Point(Point {})) };
+        let lamp = Light { muted: true, ..Light::new("lamp", Shape::Point(Point::default())) };
         let scene = Scene { lights: vec![lamp, globe], ..Scene::default() };
         let names = [None, Some(0), Some(7)].map(|selected| pin_name(&scene, selected));
         assert_eq!(names, ["before: globe ⌀ 0.25 m", "before: lamp", "before: globe ⌀ 0.25 m"], "names");

@@ -117,7 +117,7 @@ mod tests {
     use crate::light::{Light, Point, Shape};
 
     fn session() -> Session {
-        let lights = vec![Light::new("lamp", Shape::Point(Point {}))];
+        let lights = vec![Light::new("lamp", Shape::Point(Point::default()))];
         Session::new(Scene { lights, ..Scene::default() }, None)
     }
 
@@ -186,7 +186,7 @@ mod tests {
     fn the_scene_is_shown_with_a_variants_lights_and_solo_holds_there_too() {
         let mut session = session();
         session.store_variant();
-        session.edit("Add", |scene| scene.lights.push(Light::new("spare", Shape::Point(Point {}))));
+        session.edit("Add", |scene| scene.lights.push(Light::new("spare", Shape::Point(Point::default()))));
         session.view.variant = Some(0);
         let view = session.view;
         assert_eq!(session.shown_for(&view).lights.len(), 1, "the variant's");

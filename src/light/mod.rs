@@ -9,6 +9,7 @@ mod directional;
 mod disk;
 mod line;
 pub mod pattern;
+pub mod photometry;
 mod point;
 mod polygon;
 mod quantity;
@@ -21,7 +22,7 @@ pub use color::{Tint, luminance_of, temperature_color};
 pub use directional::{Directional, DirectionalEmitter};
 pub use disk::{Disk, DiskEmitter};
 pub use line::{Line, LineEmission, LineEmitter};
-pub use point::{Point, PointEmitter};
+pub use point::{Point, PointEmitter, Web};
 pub use polygon::{Polygon, PolygonEmitter, PolygonError};
 pub use quantity::{Quantity, QuantityKind};
 pub use sky::{Sky, SkyEmitter};
@@ -189,7 +190,7 @@ impl Light {
             }
             Shape::Cap(cap) => Emitter::Cap(cap.place(&world_from_light)),
             Shape::Sky(sky) => Emitter::Sky(sky.place(&world_from_light)),
-            Shape::Point(_) => Emitter::Point(PointEmitter { position: self.position }),
+            Shape::Point(point) => Emitter::Point(point.place(&world_from_light)),
             Shape::Directional(_) => {
                 Emitter::Directional(DirectionalEmitter { to_light: world_from_light.matrix3.z_axis })
             }
@@ -273,7 +274,7 @@ impl Shape {
                 LineEmission::Isotropic => 200.0,
                 LineEmission::Tube => 10_000.0,
             },
-            Self::Point(_) => 100.0,
+            Self::Point(point) => point.ies.as_ref().map_or(100.0, |photometry| photometry.distribution.peak()),
             Self::Directional(_) => 500.0,
         };
         Quantity::new(kind, value)
@@ -291,7 +292,7 @@ impl Shape {
             Self::Disk(disk) => (QuantityKind::Flux, disk.flux_per_luminance()),
             Self::Textured(textured) => (QuantityKind::Flux, textured.flux_per_luminance()),
             Self::Cap(cap) => (QuantityKind::Illuminance, cap.illuminance_per_luminance()),
-            Self::Point(_) => (QuantityKind::Flux, Point::FLUX_PER_INTENSITY),
+            Self::Point(point) => (QuantityKind::Flux, point.flux_per_intensity()),
             Self::Sky(_) | Self::Directional(_) => return 0.0,
         };
         if kind == other_kind && per_strength > 0.0 { per_strength.recip() } else { 0.0 }
@@ -331,7 +332,7 @@ mod tests {
         let line = Line::isotropic(1.5);
         check(Shape::Line(line), QuantityKind::Flux, 4.0 * PI * 1.5);
         check(Shape::Line(Line::tube(1.5, 0.01)), QuantityKind::Flux, PI * TAU * 0.01 * 1.5);
-        check(Shape::Point(Point {}), QuantityKind::Flux, 4.0 * PI);
+        check(Shape::Point(Point::default()), QuantityKind::Flux, 4.0 * PI);
         check(Shape::Disk(Disk { radius: 0.5, two_sided: false }), QuantityKind::Flux, PI * PI * 0.25);
         check(Shape::Cap(Cap { half_angle_deg: 30.0 }), QuantityKind::Illuminance, PI * 0.25);
         check(textured(), QuantityKind::Flux, PI * 2.0 * 0.75);
@@ -376,7 +377,7 @@ mod tests {
             Shape::Line(line),
             Shape::Line(Line::tube(1.5, 0.01)),
             Shape::Sphere(Sphere { radius: 0.3 }),
-            Shape::Point(Point {}),
+            Shape::Point(Point::default()),
             Shape::Directional(Directional {}),
             Shape::Disk(Disk { radius: 0.5, two_sided: false }),
             Shape::Cap(Cap { half_angle_deg: 30.0 }),

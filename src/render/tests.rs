@@ -257,7 +257,7 @@ fn everything() -> Scene {
         LightShape::Textured(Textured { size: DVec2::ONE, pattern, two_sided: false }),
         LightShape::Cap(Cap { half_angle_deg: 10.0 }),
         LightShape::Sky(Sky::OVERCAST),
-        LightShape::Point(Point {}),
+        LightShape::Point(Point::default()),
     ];
     let lights = shapes.into_iter().enumerate().map(|(i, shape)| Light {
         position: DVec3::new(i as f64 - 4.0, 0.5, 3.0),

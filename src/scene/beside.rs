@@ -11,6 +11,7 @@ use super::save::{SaveError, create_file, replace_file};
 use super::{Problem, Scene};
 use crate::contents::Contents;
 use crate::light::pattern::{Image, Pattern};
+use crate::light::photometry::{Distribution, Photometry};
 use crate::light::{self, Light};
 use crate::surface::{self, Mesh, Surface, Triangle};
 
@@ -42,6 +43,7 @@ struct Named<'s> {
 #[derive(PartialEq)]
 enum Holds<'s> {
     Pattern(&'s Image),
+    Photometry(&'s Arc<Distribution>),
     Mesh(&'s Arc<[Triangle]>),
 }
 
@@ -49,6 +51,7 @@ impl Holds<'_> {
     fn noun(&self) -> &'static str {
         match self {
             Self::Pattern(_) => "pattern",
+            Self::Photometry(_) => "photometric file",
             Self::Mesh(_) => "mesh",
         }
     }
@@ -57,6 +60,7 @@ impl Holds<'_> {
     fn is_same(&self, other: &Self) -> bool {
         match (self, other) {
             (Self::Mesh(a), Self::Mesh(b)) => Arc::ptr_eq(a, b) || a == b,
+            (Self::Photometry(a), Self::Photometry(b)) => Arc::ptr_eq(a, b) || a == b,
             _ => self == other,
         }
     }
@@ -70,11 +74,22 @@ fn named(scene: &Scene) -> Vec<Named<'_>> {
             Some(Named { path: pattern_path(&path.index(i)), file, contents, holds: Holds::Pattern(image) })
         })
     });
+    let photometries = lists_of_lights(scene).into_iter().flat_map(|(path, lights)| {
+        lights.iter().enumerate().filter_map(move |(i, light)| {
+            let Photometry { file, distribution, contents } = photometry_of(light)?;
+            Some(Named {
+                path: photometry_path(&path.index(i)),
+                file,
+                contents,
+                holds: Holds::Photometry(distribution),
+            })
+        })
+    });
     let meshes = scene.surfaces.iter().enumerate().filter_map(|(i, surface)| {
         let Mesh { file, triangles, contents } = mesh_of(surface)?;
         Some(Named { path: mesh_path(i), file, contents, holds: Holds::Mesh(triangles) })
     });
-    patterns.chain(meshes).collect()
+    patterns.chain(photometries).chain(meshes).collect()
 }
 
 /// The scene's lights and those of each variant, with the path of each list.
@@ -86,14 +101,20 @@ fn lists_of_lights(scene: &Scene) -> Vec<(super::Path, &[Light])> {
 
 /// All patterns of a scene, with their paths.
 pub(super) fn patterns_mut(scene: &mut Scene) -> Vec<(super::Path, &mut Pattern)> {
+    lights_mut(scene).filter_map(|(path, light)| Some((pattern_path(&path), pattern_mut(light)?))).collect()
+}
+
+/// All photometric files of a scene, with their paths.
+pub(super) fn photometries_mut(scene: &mut Scene) -> Vec<(super::Path, &mut Photometry)> {
+    lights_mut(scene).filter_map(|(path, light)| Some((photometry_path(&path), photometry_mut(light)?))).collect()
+}
+
+/// All lights of a scene, with their paths.
+fn lights_mut(scene: &mut Scene) -> impl Iterator<Item = (super::Path, &mut Light)> {
     let variants = scene.variants.iter_mut().enumerate();
     let lights = variants.map(|(i, variant)| (variant_lights_path(i), &mut variant.lights));
     let lists = [(lights_path(), &mut scene.lights)].into_iter().chain(lights);
-    let patterns = lists.flat_map(|(path, lights)| {
-        let lights = lights.iter_mut().enumerate();
-        lights.filter_map(move |(i, light)| Some((pattern_path(&path.index(i)), pattern_mut(light)?)))
-    });
-    patterns.collect()
+    lists.flat_map(|(path, lights)| lights.iter_mut().enumerate().map(move |(i, light)| (path.index(i), light)))
 }
 
 fn lights_path() -> super::Path {
@@ -109,6 +130,11 @@ fn pattern_path(light: &super::Path) -> super::Path {
     light.key("shape").key("textured").key("pattern")
 }
 
+/// The path of the photometric file of the light at `light`.
+fn photometry_path(light: &super::Path) -> super::Path {
+    light.key("shape").key("point").key("ies")
+}
+
 /// The path of a mesh's file.
 pub(super) fn mesh_path(surface: usize) -> super::Path {
     super::Path::default().key("surface").index(surface).key("shape").key("mesh").key("file")
@@ -120,6 +146,14 @@ pub(super) fn pattern_of(light: &Light) -> Option<&Pattern> {
 
 pub(super) fn pattern_mut(light: &mut Light) -> Option<&mut Pattern> {
     if let light::Shape::Textured(textured) = &mut light.shape { Some(&mut textured.pattern) } else { None }
+}
+
+fn photometry_of(light: &Light) -> Option<&Photometry> {
+    if let light::Shape::Point(point) = &light.shape { point.ies.as_ref() } else { None }
+}
+
+fn photometry_mut(light: &mut Light) -> Option<&mut Photometry> {
+    if let light::Shape::Point(point) = &mut light.shape { point.ies.as_mut() } else { None }
 }
 
 fn mesh_of(surface: &Surface) -> Option<&Mesh> {
@@ -233,6 +267,9 @@ pub(super) fn unread(scene: &Scene) -> Scene {
     for (_, pattern) in patterns_mut(&mut scene) {
         *pattern = Pattern::unread(std::mem::take(&mut pattern.file));
     }
+    for (_, photometry) in photometries_mut(&mut scene) {
+        *photometry = Photometry::unread(std::mem::take(&mut photometry.file));
+    }
     for mesh in scene.surfaces.iter_mut().filter_map(mesh_mut) {
         *mesh = Mesh::unread(std::mem::take(&mut mesh.file));
     }
@@ -247,7 +284,7 @@ pub(super) fn ambiguous(scene: &Scene) -> Vec<Problem> {
     for file in &named {
         let other = *first.entry(file.file).or_insert(file);
         if !other.holds.is_same(&file.holds) {
-            let noun = if matches!(file.holds, Holds::Pattern(_)) { "picture" } else { "mesh" };
+            let noun = if matches!(file.holds, Holds::Pattern(_)) { "picture" } else { file.holds.noun() };
             let message =
                 format!("`{}` is another {noun} here than in {}; give it its own name", file.file, other.path.entry());
             problems.push(Problem::new(file.path.clone(), message));
@@ -256,13 +293,20 @@ pub(super) fn ambiguous(scene: &Scene) -> Vec<Problem> {
     problems
 }
 
-/// Rename a light's pattern, `leaf.png` to `leaf-2.png`, while `others` have a different picture of its name.
+/// Rename the file that a light names, `leaf.png` to `leaf-2.png`, while `others` have a different one of its name.
 pub fn keep_apart<'a>(light: &mut Light, others: impl IntoIterator<Item = &'a Light>) {
-    let Some(pattern) = pattern_mut(light) else { return };
-    let image = &pattern.image;
-    let others: Vec<_> = others.into_iter().filter_map(pattern_of).collect();
-    pattern.file =
-        free_name(&pattern.file, |file| others.iter().any(|other| other.file == file && other.image != *image));
+    let others: Vec<&Light> = others.into_iter().collect();
+    if let Some(pattern) = pattern_mut(light) {
+        let others = || others.iter().filter_map(|other| pattern_of(other));
+        let image = &pattern.image;
+        pattern.file = free_name(&pattern.file, |file| others().any(|o| o.file == file && o.image != *image));
+    }
+    if let Some(photometry) = photometry_mut(light) {
+        let others = || others.iter().filter_map(|other| photometry_of(other));
+        let own = &photometry.distribution;
+        photometry.file =
+            free_name(&photometry.file, |file| others().any(|o| o.file == file && o.distribution != *own));
+    }
 }
 
 /// [`keep_apart`] for a surface's mesh.

@@ -9,7 +9,7 @@ use toml::de::{DeTable, DeValue, Deserializer};
 
 use super::file::File;
 use super::problem::{LoadError, Path, Place, Problem, Segment};
-use super::{FORMAT, Scene, beside, mesh, pattern, schema, structure, validate};
+use super::{FORMAT, Scene, beside, mesh, pattern, photometry, schema, structure, validate};
 
 /// Scene files larger than this are refused before they are read, bytes.
 pub const MAX_FILE_BYTES: u64 = 16 << 20;
@@ -48,8 +48,9 @@ pub fn parse_with(
 ) -> Result<Scene, LoadError> {
     let check = |scene: &mut Scene| {
         let patterns = pattern::read_all(scene, &mut read);
+        let photometries = photometry::read_all(scene, &mut read);
         let meshes = mesh::read_all(&mut scene.surfaces, &mut read);
-        [validate(scene), patterns, meshes].concat()
+        [validate(scene), patterns, photometries, meshes].concat()
     };
     parse_text(text, check).map_err(|problems| LoadError::Invalid { file: file.as_ref().to_owned(), problems })
 }

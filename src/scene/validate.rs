@@ -270,7 +270,12 @@ impl Checker<'_> {
                     self.report(&path, "is black; write { uniform = 1.0, cosine = 0.0 } and mute it to have it dark");
                 }
             }
-            Shape::Point(_) | Shape::Directional(_) => {}
+            Shape::Point(point) => {
+                if let Some(photometry) = &point.ies {
+                    self.file(&path.key("ies"), &photometry.file, "photometry/spot.ies");
+                }
+            }
+            Shape::Directional(_) => {}
         }
     }
 

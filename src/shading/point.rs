@@ -11,9 +11,9 @@ use crate::light::{DirectionalEmitter, PointEmitter};
 /// light adds nothing. It keeps every 1/r³ far inside the range of `f64`.
 pub const CONTACT: f64 = 1e-60;
 
-/// Response to a point light of intensity 1.
+/// Response to a point light whose greatest intensity is 1.
 pub fn respond(light: &PointEmitter, at: &ShadingPoint, lobe: &PhongLobe) -> Response {
-    point_response(light.position - at.p, 1.0, at, lobe)
+    point_response(light.position - at.p, light.intensity(at.p - light.position), at, lobe)
 }
 
 /// Response to a directional light of illuminance 1.

@@ -200,7 +200,8 @@ fn integral(emitter: &Emitter, p: DVec3, kernel: &Kernel) -> Estimate {
         Emitter::Sky(light) => sky_reference(light, kernel),
         Emitter::Point(light) => {
             let to_light = light.position - p;
-            parallel(to_light.normalize_or_zero(), kernel) * to_light.length_squared().max(f64::MIN_POSITIVE).recip()
+            let illuminance = light.intensity(-to_light) / to_light.length_squared().max(f64::MIN_POSITIVE);
+            parallel(to_light.normalize_or_zero(), kernel) * illuminance
         }
         Emitter::Directional(light) => parallel(light.to_light, kernel),
     }

@@ -96,7 +96,7 @@ fn scene() -> Scene {
             surface("ball", DVec3::new(0.0, 0.0, 0.5), surface::Shape::Sphere { radius: 0.5 }),
         ],
         lights: vec![
-            light("point", -1.0, QuantityKind::Intensity, Shape::Point(Point {})),
+            light("point", -1.0, QuantityKind::Intensity, Shape::Point(Point::default())),
             light("line", 0.0, QuantityKind::IntensityPerMetre, Shape::Line(line)),
             light(
                 "window",

@@ -3,6 +3,7 @@
 mod merging;
 mod painted;
 mod patterns;
+mod photometry;
 mod presets;
 mod random;
 mod refusals;

@@ -6,6 +6,7 @@ use std::sync::OnceLock;
 use glam::{DVec2, DVec3};
 use proptest::prelude::*;
 use softbox::light::pattern::Pattern;
+use softbox::light::photometry::Photometry;
 use softbox::light::{self, Light, Quantity, Tint};
 use softbox::scene::{self, Camera, Display, Plot, PlotKind, PlotQuantity, Scene, Variant};
 use softbox::surface::{self, Material, Mesh, ReflectionModel, Surface};
@@ -57,7 +58,11 @@ fn light_shape() -> impl Strategy<Value = light::Shape> {
         sky,
         positive().prop_map(|radius| light::Shape::Sphere(light::Sphere { radius })),
         (1e-3..=90.0).prop_map(|half_angle_deg| light::Shape::Cap(light::Cap { half_angle_deg })),
-        Just(light::Shape::Point(light::Point {})),
+        Just(light::Shape::Point(light::Point::default())),
+        file_name("ies").prop_map(|file| {
+            let ies = Photometry { file, ..photometry() };
+            light::Shape::Point(light::Point { ies: Some(ies) })
+        }),
         Just(light::Shape::Directional(light::Directional {})),
     ]
 }
@@ -77,6 +82,14 @@ fn pattern() -> Pattern {
     PATTERN.get_or_init(|| scene::import_pattern(&path, None).expect("a picture")).clone()
 }
 
+/// The file that every photometry here is read from.
+const SPOT: &[u8] = b"IESNA91\nTILT=NONE\n1 -1 1 3 1 1 2 0 0 0\n1 1 0\n0 30 90\n0\n800 400 0\n";
+
+/// What is in that file.
+fn photometry() -> Photometry {
+    scene::photometry_of_bytes("spot.ies", SPOT.to_vec()).expect("an IES file")
+}
+
 /// The file that every mesh here is read from.
 const TRIANGLE: &[u8] = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
@@ -92,14 +105,15 @@ fn mesh() -> Mesh {
     MESH.get_or_init(read).clone()
 }
 
-/// Read a scene whose patterns all have the same picture, and whose meshes the same triangle.
+/// Read a scene whose patterns all have the same picture, whose points the same photometry, and whose meshes the same
+/// triangle.
 fn read(text: &str) -> Result<Scene, TestCaseError> {
-    let read =
-        scene::parse_with(
-            text,
-            "any.toml",
-            |name| Ok(if name.ends_with(".obj") { TRIANGLE } else { PICTURE }.to_vec()),
-        );
+    let bytes = |name: &str| match name.rsplit('.').next() {
+        Some("obj") => TRIANGLE,
+        Some("ies") => SPOT,
+        _ => PICTURE,
+    };
+    let read = scene::parse_with(text, "any.toml", |name| Ok(bytes(name).to_vec()));
     read.map_err(|error| TestCaseError::fail(format!("{error}\n{text}")))
 }
 

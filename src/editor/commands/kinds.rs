@@ -123,7 +123,7 @@ impl LightKind {
             Self::Sky => light::Shape::Sky(Sky::OVERCAST),
             Self::Line => light::Shape::Line(Line::isotropic(1.2)),
             Self::Sphere => light::Shape::Sphere(Sphere { radius: 0.2 }),
-            Self::Point => light::Shape::Point(Point {}),
+            Self::Point => light::Shape::Point(Point::default()),
             Self::Directional => light::Shape::Directional(Directional {}),
         })
     }

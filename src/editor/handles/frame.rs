@@ -122,7 +122,7 @@ mod tests {
     use crate::light::{Light, Point, Shape};
 
     fn at(i: usize, position: DVec3, rotation_deg: DVec3) -> (Item, Subject) {
-        let light = Light { position, rotation_deg, ..Light::new("light", Shape::Point(Point {})) };
+        let light = Light { position, rotation_deg, ..Light::new("light", Shape::Point(Point::default())) };
         (Item::Light(i), Subject::Light(light))
     }
 

@@ -50,7 +50,7 @@ fn every_handle_is_hit_where_it_is_drawn() {
         (of_shape(light::Shape::Cap(light::Cap { half_angle_deg: 20.0 })), 2),
         (of_shape(light::Shape::Sky(light::Sky::OVERCAST)), 1),
         (of_shape(light::Shape::Directional(light::Directional {})), 1),
-        (of_shape(light::Shape::Point(light::Point {})), 0),
+        (of_shape(light::Shape::Point(light::Point::default())), 0),
         (of_shape(light::Shape::Line(light::Line::tube(1.0, 0.4))), 3),
     ] {
         let spots = on(&subject, Tool::Move, &projection);

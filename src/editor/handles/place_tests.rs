@@ -71,7 +71,7 @@ fn near() -> Vec<Shape> {
         Shape::Disk(Disk { radius: 0.15, two_sided: false }),
         Shape::Sphere(Sphere { radius: 0.1 }),
         Shape::Line(Line::isotropic(0.4)),
-        Shape::Point(Point {}),
+        Shape::Point(Point::default()),
     ]
 }
 
@@ -200,7 +200,7 @@ fn a_light_infinitely_far_away_is_turned_where_it_is() {
 #[test]
 fn a_point_light_on_the_point_itself_is_moved_off_it() {
     let at = ShadingPoint { p: DVec3::ZERO, n: DVec3::Z, v: DVec3::Z };
-    let start = Light { position: DVec3::ZERO, ..light(Shape::Point(Point {})) };
+    let start = Light { position: DVec3::ZERO, ..light(Shape::Point(Point::default())) };
     let placed = placed(&start, Place::Diffuse, &at, None);
     assert_eq!(placed.position, LEAST_DISTANCE * DVec3::Z, "it stands over it");
 }

@@ -129,6 +129,11 @@ fn digest(scene: &Scene) -> u64 {
         if let Shape::Textured(textured) = &light.shape {
             textured.pattern.contents.0.hash(&mut hasher);
         }
+        if let Shape::Point(point) = &light.shape
+            && let Some(photometry) = &point.ies
+        {
+            photometry.contents.0.hash(&mut hasher);
+        }
     }
     for surface in &scene.surfaces {
         if let crate::surface::Shape::Mesh(mesh) = &surface.shape {

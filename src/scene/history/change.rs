@@ -5,7 +5,8 @@ use std::sync::Arc;
 
 use super::retouch::Retouch;
 use crate::light::pattern::{Image, Pattern};
-use crate::light::{Light, Shape};
+use crate::light::photometry::Photometry;
+use crate::light::{Light, Point, Shape};
 use crate::scene::{Camera, Display, Plot, Scene, Variant};
 use crate::surface::{self, Material, Surface};
 
@@ -79,8 +80,8 @@ impl Change {
     /// Memory that it takes beyond what `scene`, the one that it was made from, has too.
     pub(super) fn bytes(&self, scene: &Scene) -> usize {
         let head = self.head.as_ref().map_or(0, |head| size_of::<Head>() + head.name.len());
-        let patterns: Vec<&Pattern> = scene.all_lights().filter_map(pattern).collect();
-        let light_bytes = |light: &Light| light.name.len() + shape_bytes(&light.shape, &patterns);
+        let others: Vec<&Light> = scene.all_lights().collect();
+        let light_bytes = |light: &Light| light.name.len() + shape_bytes(&light.shape, &others);
         let lights = self.lights.bytes(light_bytes);
         let variants = self.variants.bytes(|variant| {
             let own = variant.lights.iter().map(|light| size_of::<Light>() + light_bytes(light));
@@ -191,17 +192,26 @@ fn pattern_mut(light: &mut Light) -> Option<&mut Pattern> {
 }
 
 /// What a light's shape keeps outside of itself, without what one of `others` shares.
-fn shape_bytes(shape: &Shape, others: &[&Pattern]) -> usize {
+fn shape_bytes(shape: &Shape, others: &[&Light]) -> usize {
+    let patterns = || others.iter().filter_map(|light| pattern(light));
     match shape {
         Shape::Polygon(polygon) => size_of_val(polygon.vertices.as_slice()),
         Shape::Textured(textured) => {
             let Pattern { file, image, contents } = &textured.pattern;
-            let shares_image = |other: &&Pattern| Arc::ptr_eq(&other.image.channels()[0], &image.channels()[0]);
-            let shares_contents = |other: &&Pattern| Arc::ptr_eq(&other.contents.0, &contents.0);
+            let shares_image = |other: &Pattern| Arc::ptr_eq(&other.image.channels()[0], &image.channels()[0]);
+            let shares_contents = |other: &Pattern| Arc::ptr_eq(&other.contents.0, &contents.0);
             let texels = image.channels().iter().map(|channel| size_of_val(channel.texels())).sum();
             file.len()
-                + unless(others.iter().any(shares_image), texels)
-                + unless(others.iter().any(shares_contents), contents.0.len())
+                + unless(patterns().any(shares_image), texels)
+                + unless(patterns().any(shares_contents), contents.0.len())
+        }
+        Shape::Point(Point { ies: Some(Photometry { file, distribution, contents }) }) => {
+            let shares = |other: &&Light| match &other.shape {
+                Shape::Point(Point { ies: Some(other) }) => Arc::ptr_eq(&other.distribution, distribution),
+                _ => false,
+            };
+            let own = size_of_val(distribution.shares()) + contents.0.len();
+            file.len() + unless(others.iter().any(shares), own)
         }
         _ => 0,
     }
