@@ -204,7 +204,7 @@ mod tests {
 
     fn scene() -> Scene {
         let mut scene = crate::scene::first_light();
-        let light = |name: &str| Light::new(name, Shape::Point(Point {}));
+        let light = |name: &str| Light::new(name, Shape::Point(Point::default()));
         let linked = Light { only: Some(vec!["ball".to_owned()]), ..light("linked") };
         scene.lights = vec![light("on"), Light { muted: true, ..light("muted") }, linked];
         scene

@@ -9,7 +9,7 @@ use toml_edit::{DocumentMut, Item, Value};
 
 use super::job::Identifiers;
 use super::{ExportError, Exported, Fate, File, Job, Remark};
-use crate::light::{Shape, pattern::Pattern};
+use crate::light::{Point, Shape, pattern::Pattern, photometry::Photometry};
 use crate::render::Progress;
 use crate::scene::{Scene, pattern_file, to_toml};
 use crate::surface;
@@ -59,6 +59,7 @@ impl Beside<'_> {
             };
             pattern.file = name;
         }
+        self.take_photometries(scene);
         let mut known: Vec<(String, String)> = Vec::new();
         for surface in &mut scene.surfaces {
             let surface::Shape::Mesh(mesh) = &mut surface.shape else { continue };
@@ -72,6 +73,20 @@ impl Beside<'_> {
             mesh.file = name;
         }
         Ok(())
+    }
+
+    fn take_photometries(&mut self, scene: &mut Scene) {
+        let mut known: Vec<(Photometry, String)> = Vec::new();
+        for light in scene.all_lights_mut() {
+            let Shape::Point(Point { ies: Some(photometry) }) = &mut light.shape else { continue };
+            let same = known.iter().find(|(old, _)| old == photometry).map(|(_, name)| name.clone());
+            let name = same.unwrap_or_else(|| {
+                let name = self.put(&photometry.file, "ies", photometry.contents.0.to_vec());
+                known.push((photometry.clone(), name.clone()));
+                name
+            });
+            photometry.file = name;
+        }
     }
 
     /// A new file like `old`; its name.
