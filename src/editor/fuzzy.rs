@@ -1,12 +1,18 @@
 //! Finding things by a few of their letters.
 
+/// What a query that starts a word, letter by letter, is worth: more than the starts of ten words.
+const WHOLE: i32 = 100;
+
 /// How well `query` fits `text`, whatever the case; none where its letters do not all occur in this order.
 ///
-/// Letters at the start of a word count most, then letters that follow each other; a short text is better than a long
-/// one. Spaces in the query do not matter.
+/// All in one piece where a word starts is best of all. Otherwise letters at the start of a word count most, then letters
+/// that follow each other; a short text is better than a long one. Spaces in the query do not matter.
 pub fn score(query: &str, text: &str) -> Option<i32> {
-    let text: Vec<char> = text.to_lowercase().chars().collect();
-    let mut score = 0;
+    let words = text.to_lowercase();
+    let whole = query.trim().to_lowercase();
+    let is_whole = !whole.is_empty() && (words.starts_with(&whole) || words.contains(&format!(" {whole}")));
+    let text: Vec<char> = words.chars().collect();
+    let mut score = if is_whole { WHOLE } else { 0 };
     let mut from = 0;
     let mut last = None;
     for letter in query.to_lowercase().chars().filter(|c| !c.is_whitespace()) {
@@ -40,14 +46,23 @@ mod tests {
 
     #[test]
     fn starts_of_words_and_runs_win() {
-        let texts =
-            ["Reset layout", "Draw line", "Redo add light", "Select ball", "Save selection as preset…", "Show all"];
+        let texts = [
+            "Reset layout",
+            "Draw line",
+            "Redo add light",
+            "Select ball",
+            "Save selection as preset…",
+            "Show all",
+            "Auto exposure",
+            "Open example Patio",
+        ];
         for (query, found) in [
             ("rl", "Reset layout"),
             ("line", "Draw line"),
             ("ball", "Select ball"),
             ("ssp", "Save selection as preset…"),
             ("SHOW A", "Show all"),
+            ("exp", "Auto exposure"),
         ] {
             assert_eq!(best(query, &texts), Some(found), "{query}");
         }

@@ -79,6 +79,9 @@ pub fn accent(visuals: &Visuals) -> Color32 {
     palette(visuals).accent
 }
 
+/// The accent colour over a picture, which is dark or gaudy in either theme.
+pub const ACCENT_OVER_PICTURE: Color32 = DARK.accent;
+
 /// The colour of a curve.
 pub fn pen_color(pen: &Pen, visuals: &Visuals) -> Color32 {
     let [r, g, b] = if visuals.dark_mode { pen.on_dark } else { pen.on_light };

@@ -21,7 +21,8 @@ pub fn deg_from_rotation(rotation: DMat3) -> DVec3 {
     } else {
         (0.0, (-rotation.y_axis.x).atan2(rotation.y_axis.y))
     };
-    DVec3::new(rx.to_degrees(), ry.to_degrees(), rz.to_degrees())
+    // Adding 0 takes the sign from −0, which looks odd where it is written or shown.
+    DVec3::new(rx.to_degrees(), ry.to_degrees(), rz.to_degrees()) + DVec3::ZERO
 }
 
 /// The transform of a thing placed by `position` and `rotation_deg`, without scale.

@@ -1,9 +1,10 @@
 //! A window to act on, without a display.
 
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::sync::{Arc, LazyLock};
 use std::time::{Duration, Instant};
 
+use eframe::egui_wgpu::{RendererOptions, WgpuSetup, WgpuSetupExisting};
 use egui::accesskit::Role;
 use egui::{Key, Modifiers, PointerButton, Pos2, vec2};
 use egui_kittest::kittest::Queryable;
@@ -25,10 +26,27 @@ const SNAPSHOT_FAILED_PIXELS: usize = 1500;
 /// How long work off the UI thread may take.
 const PATIENCE: Duration = Duration::from_secs(180);
 
+/// How long a test may act on one window.
+const LIFE: Duration = Duration::from_secs(900);
+
+/// One device for the windows of all tests: what a driver compiles and keeps for each is not all given back.
+static DEVICE: LazyLock<WgpuSetup> = LazyLock::new(|| {
+    let setup = egui_kittest::wgpu::default_wgpu_setup();
+    let state = egui_kittest::wgpu::create_render_state(setup, RendererOptions::PREDICTABLE);
+    let existing = WgpuSetupExisting {
+        instance: state.instance.clone(),
+        adapter: state.adapter.clone(),
+        device: state.device.clone(),
+        queue: state.queue.clone(),
+    };
+    existing.into()
+});
+
 /// The editor in a window of 1280 × 800 points.
 pub(crate) struct Window {
     pub(crate) harness: Harness<'static, App>,
     folder: tempfile::TempDir,
+    opened: Instant,
 }
 
 impl Window {
@@ -49,7 +67,7 @@ impl Window {
 
     /// A window that opens after this one has come to its end without being closed.
     pub(crate) fn crash(self) -> Self {
-        let Self { harness, folder } = self;
+        let Self { harness, folder, .. } = self;
         drop(harness);
         Self::in_folder(folder, None)
     }
@@ -70,14 +88,14 @@ impl Window {
             .with_max_steps(256)
             .with_step_dt(1.0 / 30.0)
             .with_options(options())
-            .wgpu()
+            .wgpu_setup(DEVICE.clone())
             .build_eframe(|cc| {
                 let mut app = App::new(cc, open.as_deref(), Box::new(Scripted::default()), &folders);
                 // Only what is looked at has to be smooth.
                 app.session.view.refines = false;
                 app
             });
-        let mut window = Self { harness, folder };
+        let mut window = Self { harness, folder, opened: Instant::now() };
         window.settle();
         window
     }
@@ -101,6 +119,7 @@ impl Window {
     /// Let the window run until nothing moves any more.
     #[track_caller]
     pub(crate) fn settle(&mut self) {
+        assert!(self.opened.elapsed() < LIFE, "the test goes on and on");
         let start = Instant::now();
         loop {
             // A picture that refines asks for one frame after another: how many depends on the machine.

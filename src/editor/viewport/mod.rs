@@ -112,7 +112,7 @@ impl Viewport {
             ui.scope_builder(builder, |ui| self.overlay(ui, *rect, session, index, &name));
         }
         if count > 1 {
-            let stroke = Stroke::new(1.5, theme::accent(ui.visuals()).gamma_multiply(0.8));
+            let stroke = Stroke::new(1.5, theme::ACCENT_OVER_PICTURE.gamma_multiply(0.8));
             ui.painter().rect_stroke(places[session.views.active()], 0.0, stroke, StrokeKind::Inside);
         }
     }

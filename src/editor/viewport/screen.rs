@@ -118,7 +118,7 @@ impl Screen {
         (pointer, is_home): (&Pointer, bool),
     ) {
         let painter = ui.painter_at(projection.rect());
-        let accent = theme::accent(ui.visuals());
+        let accent = theme::ACCENT_OVER_PICTURE;
         let scene = session.scene();
         if session.view.show_grid {
             self.grid.paint(projection, solids, &painter);

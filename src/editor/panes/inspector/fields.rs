@@ -370,6 +370,9 @@ fn show_revealed(ui: &Ui, response: &Response, label: &str) {
     ui.painter().rect_stroke(mark, 3.0, stroke, egui::StrokeKind::Outside);
 }
 
+/// A narrower field has no room for six decimals.
+const NARROW: f32 = 80.0;
+
 /// A number to drag or type.
 pub(super) fn drag(ui: &mut Ui, style: &Number, value: &mut f64, width: f32) -> Response {
     let height = ui.spacing().interact_size.y;
@@ -397,7 +400,7 @@ pub(super) fn drag_all(ui: &mut Ui, style: &Number, values: &[f64], width: f32) 
     .speed(style.speed)
     .range(style.range.clone())
     .clamp_existing_to_range(false)
-    .max_decimals(6);
+    .max_decimals(if width < NARROW { 4 } else { 6 });
     drag = if mixed { drag.custom_formatter(|_, _| MIXED.to_owned()) } else { drag.suffix(style.unit) };
     let mut response = ui.add_sized(vec2(width, height), drag);
     if mixed && is_set {
