@@ -6,6 +6,7 @@
 pub mod csv;
 pub mod error_map;
 pub mod exr;
+mod ies;
 mod job;
 mod json;
 mod picture;
@@ -29,6 +30,7 @@ use crate::render::Progress;
 /// Where a light is not in the scene, the target can hold nothing of it, or the work is cancelled.
 pub fn export(job: &Job, progress: &Progress) -> Result<Exported, ExportError> {
     match job.target {
+        Target::Ies => ies::write(job, progress),
         Target::Json => json::write(job, progress),
         Target::Csv | Target::Svg => plots::write(job, progress),
         Target::Png | Target::Exr => picture::write(job, progress),

@@ -6,6 +6,8 @@ use std::str::FromStr;
 /// A format that a scene leaves the program in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Target {
+    /// Candela of the lights, ANSI/IESNA LM-63-2002.
+    Ies,
     /// The scene, for scripts.
     Json,
     /// The plots' numbers.
@@ -20,11 +22,12 @@ pub enum Target {
 
 impl Target {
     /// All of them, as lists show them.
-    pub const ALL: [Self; 5] = [Self::Json, Self::Csv, Self::Svg, Self::Png, Self::Exr];
+    pub const ALL: [Self; 6] = [Self::Ies, Self::Json, Self::Csv, Self::Svg, Self::Png, Self::Exr];
 
     /// The name on the command line.
     pub fn name(self) -> &'static str {
         match self {
+            Self::Ies => "ies",
             Self::Json => "json",
             Self::Csv => "csv",
             Self::Svg => "svg",
@@ -36,13 +39,14 @@ impl Target {
     /// The extension of its main file; no two have the same.
     pub fn extension(self) -> &'static str {
         match self {
-            Self::Json | Self::Csv | Self::Svg | Self::Png | Self::Exr => self.name(),
+            Self::Ies | Self::Json | Self::Csv | Self::Svg | Self::Png | Self::Exr => self.name(),
         }
     }
 
     /// What it is, in a few words.
     pub fn title(self) -> &'static str {
         match self {
+            Self::Ies => "IES (LM-63): the lights as one luminaire from far away",
             Self::Json => "JSON: the scene, for scripts",
             Self::Csv => "CSV: the plots' numbers",
             Self::Svg => "SVG: the plots",
