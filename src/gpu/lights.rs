@@ -11,10 +11,11 @@ use super::table::Table;
 use super::textured::{STAGES, Stage};
 use super::types::{
     CapLight, ClusterLight, DirectionalLight, DiskLight, LineLight, OneShotLight, PointLight, PolygonLight, SkyLight,
-    SphereLight, TexturedLight, f32_of, u32_of, vec3_of, vec4_of,
+    SphereLight, TexturedLight, WebLight, f32_of, u32_of, vec3_of, vec4_of,
 };
 use crate::light::{
-    CapEmitter, DiskEmitter, Emitter, LineEmitter, PolygonEmitter, SkyEmitter, SphereEmitter, TexturedEmitter,
+    CapEmitter, DiskEmitter, Emitter, LineEmitter, PointEmitter, PolygonEmitter, SkyEmitter, SphereEmitter,
+    TexturedEmitter, Web,
 };
 use crate::shading::cluster::{self, PointOfArea};
 use crate::shading::one_shot::{KNOTS, Kernel, OneShot, Radius};
@@ -38,6 +39,7 @@ pub(crate) struct Responder {
 
 impl Responder {
     const POINT: Self = Self { modules: &[Module::POINT], function: "point_respond" };
+    const WEB: Self = Self { modules: &[Module::POINT, Module::WEB], function: "web_respond" };
     const DIRECTIONAL: Self = Self { modules: &[Module::POINT], function: "directional_respond" };
     const LINE_EXACT: Self = Self::line("line_respond_exact");
     const LINE_CHEBYSHEV: Self = Self::line("line_respond_chebyshev");
@@ -80,6 +82,7 @@ impl Responder {
     #[cfg(test)]
     pub(crate) const ALL: &[Self] = &[
         Self::POINT,
+        Self::WEB,
         Self::DIRECTIONAL,
         Self::CLUSTER,
         Self::LINE_EXACT,
@@ -166,10 +169,7 @@ impl LightData {
             return Self::one_shot(&one_shot, eye);
         }
         match emitter {
-            Emitter::Point(light) => {
-                let position = vec3_of(light.position - eye);
-                Self::without_vertices(Responder::POINT, &PointLight { position, unused: 0 })
-            }
+            Emitter::Point(light) => Self::point(light, eye),
             Emitter::Directional(light) => Self::directional(light.to_light, 1.0),
             Emitter::Disk(light) => Self::disk(light, method, eye),
             Emitter::Textured(light) => Self::textured(light, method, eye),
@@ -199,6 +199,25 @@ impl LightData {
         let luminance = |w: DVec3| light.uniform + light.cosine * w.dot(light.zenith);
         let points = directions.map(|w| vec4_of(w, part * luminance(w))).collect();
         Self::cluster(points, ClusterLight { emission: DIRECTIONS, falloff: 2.0, ..Default::default() })
+    }
+
+    fn point(light: &PointEmitter, eye: DVec3) -> Self {
+        let position = vec3_of(light.position - eye);
+        let Some(Web { light_from_world, distribution }) = &light.web else {
+            return Self::without_vertices(Responder::POINT, &PointLight { position, unused: 0 });
+        };
+        let axes = light_from_world.transpose();
+        let uniform = WebLight {
+            position,
+            gammas: u32_of(distribution.gammas().len()),
+            x_axis: vec3_of(axes.x_axis),
+            planes: u32_of(distribution.planes().len()),
+            y_axis: vec3_of(axes.y_axis),
+            z_axis: vec3_of(axes.z_axis),
+            ..Default::default()
+        };
+        let table = Table::Web(Arc::clone(distribution));
+        Self { table, ..Self::without_vertices(Responder::WEB, &uniform) }
     }
 
     fn directional(to_light: DVec3, illuminance: f64) -> Self {

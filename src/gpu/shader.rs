@@ -27,6 +27,8 @@ modules! {
     COMMON = "common.wgsl";
     /// Point and directional lights.
     POINT = "point.wgsl";
+    /// Point lights with measured intensities.
+    WEB = "web.wgsl";
     /// Many point lights that stand for one light.
     CLUSTER = "cluster.wgsl";
     /// Linear lights.

@@ -103,6 +103,18 @@ gpu_structs! {
         unused: u32,
     }
 
+    /// A point light with measured intensities.
+    WebLight {
+        position: Vec3,
+        gammas: u32,
+        x_axis: Vec3,
+        planes: u32,
+        y_axis: Vec3,
+        unused: u32,
+        z_axis: Vec3,
+        unused_too: u32,
+    }
+
     /// A directional light.
     DirectionalLight {
         to_light: Vec3,

@@ -211,3 +211,51 @@ fn every_preset_scene_looks_the_same() {
         check(&path.file_stem().expect("a name").to_string_lossy(), &scene, Method::Exact);
     }
 }
+
+/// A file with all of its planes different, at uneven angles, bright towards C = 135.
+fn web() -> Vec<u8> {
+    let mut file = "IESNA:LM-63-2002\nTILT=NONE\n1 -1 1 9 7 1 2 0 0 0\n1 1 0\n".to_owned();
+    file += "0 5 10 17.5 30 45 75 120 180\n0 30 90 135 200 270 360\n";
+    for level in [1, 2, 3, 6, 4, 2, 1] {
+        file +=
+            &[9, 8, 3 + level, 9 * level, 5 * level, 2 * level, level, 1, 0].map(|value| value.to_string()).join(" ");
+        file += "\n";
+    }
+    file.into_bytes()
+}
+
+#[test]
+fn a_point_light_with_measured_intensities_looks_the_same_and_as_it_is_turned() {
+    let text = r#"
+format = 1
+camera = { eye = [0.0, -5.0, 2.5], target = [0.0, 0.0, 0.5], fov_deg = 45.0 }
+material = [{ name = "satin", diffuse = [0.5, 0.5, 0.5], specular = [0.3, 0.3, 0.3], exponent = 30.0 }]
+surface = [
+    { name = "floor", material = "satin", shape = { plane = {} } },
+    { name = "wall", material = "satin", position = [0.0, 2.0, 1.0], shape = { box = { size = [5.0, 0.2, 2.0] } } },
+    { name = "ball", material = "satin", position = [0.8, 0.3, 0.5], shape = { sphere = { radius = 0.5 } } },
+]
+
+[[light]]
+name = "lamp"
+position = [-0.2, 0.1, 1.4]
+rotation_deg = [25.0, -15.0, 40.0]
+intensity = 300.0
+shape = { point = { ies = "lamp.ies" } }
+"#;
+    let read =
+        |text: &str| scene::parse_with(text, "lamp.toml", |_| Ok(web())).unwrap_or_else(|error| panic!("{error}"));
+    let scene = read(text);
+    check("web", &scene, Method::Exact);
+    let settings =
+        Settings { size: SIZE, choice: MethodChoice::Method(Method::Exact), samples: 1, shadows: Shadows::None };
+    for (error, wrong) in [
+        ("turned by half a degree", text.replace("25.0, -15.0, 40.0", "25.0, -15.0, 40.5")),
+        ("the same all around", text.replace("{ ies = \"lamp.ies\" }", "{}")),
+    ] {
+        let film = render(&read(&wrong), &settings, &Progress::default()).expect("nobody cancels");
+        let pixels = picture(&CONTEXT, &scene, &bare_view(&scene, Method::Exact)).expect("the picture comes back");
+        let difference = compare(&scene, &film, &pixels.radiance, &pixels.srgb, TOLERANCE);
+        assert!(difference.interior > 2.0 * TOLERANCE, "{error} is not seen: {difference}");
+    }
+}
