@@ -132,7 +132,7 @@ fn methods_are_those_of_the_lights_that_shine() {
     let names = |scene: &Scene| methods_for(scene).iter().map(ToString::to_string).collect::<Vec<_>>();
     assert_eq!(
         names(&scene),
-        ["exact", "chebyshev", "nearest-point", "point-cluster", "point", "reference"],
+        ["exact", "chebyshev", "nearest-point", "point-cluster", "fit-4", "point", "reference"],
         "a line and a point"
     );
     scene.lights[1].muted = true;

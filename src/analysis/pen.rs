@@ -30,6 +30,7 @@ impl Pen {
             Method::OneShotSquare => Self::new(0xaa_44_99, 0xe6_8f_da, &[4.0, 4.0]),
             Method::OneShotSized => Self::new(0x33_22_88, 0xb4_a8_fa, &[11.0, 2.0, 1.5, 2.0, 1.5, 2.0]),
             Method::PointCluster(_) => Self::new(0xe6_9f_00, 0xff_c2_4a, &[3.5, 2.0]),
+            Method::Fit(_) => Self::new(0xc0_10_20, 0xff_86_80, &[4.0, 1.5, 1.5, 1.5, 1.5, 1.5]),
             Method::Point => Self::new(0xd5_5e_00, 0xff_7d_45, &[9.0, 2.5, 2.0, 2.5]),
             Method::Reference => Self::new(0x6b_74_80, 0x93_9b_a6, &[1.2, 2.8]),
         }

@@ -6,6 +6,7 @@ mod difference;
 mod export;
 mod figures;
 mod files;
+mod fit;
 mod plot;
 mod probe;
 mod progress;
@@ -66,6 +67,7 @@ enum Command {
     Report(report::Args),
     Figures(figures::Args),
     Export(export::Args),
+    Fit(fit::Args),
     Check(check::Args),
     Verify(verify::Args),
     /// Print the JSON Schema of scene files.
@@ -97,6 +99,7 @@ pub fn run(
         Some(Command::Report(args)) => report::run(args),
         Some(Command::Figures(args)) => figures::run(args),
         Some(Command::Export(args)) => export::run(args),
+        Some(Command::Fit(args)) => fit::run(args),
         Some(Command::Check(args)) => check::run(args),
         Some(Command::Verify(args)) => verify::run(args),
         Some(Command::Schema) => schema::run(),

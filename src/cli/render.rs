@@ -22,7 +22,7 @@ pub(super) struct Args {
     /// Picture to write: .png, exposed and tone-mapped, or .exr, linear radiance in cd/m².
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
-    /// exact, chebyshev, nearest-point, nearest-point-picott, hermite-1, hermite-2, point-cluster[-N], point, reference,
+    /// exact, chebyshev, nearest-point, nearest-point-picott, hermite-1, hermite-2, point-cluster[-N], fit-N, point, reference,
     /// or approx for each light's first approximation; lights that do not have it are shaded exactly.
     #[arg(short, long, default_value = "exact", value_name = "METHOD")]
     method: MethodChoice,

@@ -10,14 +10,15 @@ use super::shader::{Module, Source};
 use super::table::Table;
 use super::textured::{STAGES, Stage};
 use super::types::{
-    CapLight, ClusterLight, DirectionalLight, DiskLight, LineLight, OneShotLight, PointLight, PolygonLight, SkyLight,
-    SphereLight, TexturedLight, WebLight, f32_of, u32_of, vec3_of, vec4_of,
+    CapLight, ClusterLight, DirectionalLight, DiskLight, FitLight, LineLight, OneShotLight, PointLight, PolygonLight,
+    SkyLight, SphereLight, TexturedLight, WebLight, f32_of, u32_of, vec3_of, vec4_of,
 };
 use crate::light::{
     CapEmitter, DiskEmitter, Emitter, LineEmitter, PointEmitter, PolygonEmitter, SkyEmitter, SphereEmitter,
     TexturedEmitter, Web,
 };
 use crate::shading::cluster::{self, PointOfArea};
+use crate::shading::fit::{Fit, Punctual};
 use crate::shading::one_shot::{KNOTS, Kernel, OneShot, Radius};
 use crate::shading::sphere::Cap;
 use crate::shading::{Method, textured};
@@ -77,6 +78,7 @@ impl Responder {
     const SKY_EXACT: Self =
         Self { modules: &[Module::POINT, Module::SPHERE, Module::SKY], function: "sky_respond_exact" };
     const CLUSTER: Self = Self { modules: &[Module::POINT, Module::CLUSTER], function: "cluster_respond" };
+    const FIT: Self = Self { modules: &[Module::POINT, Module::FIT], function: "fit_respond" };
 
     /// Every one.
     #[cfg(test)]
@@ -85,6 +87,7 @@ impl Responder {
         Self::WEB,
         Self::DIRECTIONAL,
         Self::CLUSTER,
+        Self::FIT,
         Self::LINE_EXACT,
         Self::LINE_CHEBYSHEV,
         Self::LINE_CHEBYSHEV_LONG,
@@ -167,6 +170,11 @@ impl LightData {
     pub(crate) fn new(emitter: &Emitter, method: Method, eye: DVec3) -> Self {
         if let Some(one_shot) = OneShot::new(emitter, method) {
             return Self::one_shot(&one_shot, eye);
+        }
+        if let Method::Fit(count) = method
+            && let Some(fit) = Fit::new(emitter, count, None)
+        {
+            return Self::fit(fit.lights(), eye);
         }
         match emitter {
             Emitter::Point(light) => Self::point(light, eye),
@@ -403,6 +411,21 @@ impl LightData {
         };
         let table = Table::Pattern(Arc::clone(pattern), kernel);
         Self { table, ..Self::without_vertices(responder, &uniform) }
+    }
+
+    fn fit(lights: &[Punctual], eye: DVec3) -> Self {
+        let vertices = |light: &Punctual| match *light {
+            Punctual::Point { position, intensity } => [vec4_of(position - eye, intensity), vec4_of(DVec3::ZERO, 1.0)],
+            Punctual::Spot { position, intensity, axis, cone } => {
+                let [scale, offset] = cone.ramp();
+                [vec4_of(position - eye, intensity), vec4_of(scale * axis, offset)]
+            }
+            Punctual::Directional { to_light, illuminance } => [vec4_of(to_light, illuminance), [0.0; 4]],
+        };
+        let is_far = u32::from(lights.iter().all(|light| light.position().is_none()));
+        let none = Self::without_vertices(Responder::FIT, &FitLight { count: u32_of(lights.len()), is_far });
+        let vertices: Vec<_> = lights.iter().flat_map(vertices).collect();
+        if vertices.is_empty() { none } else { Self { vertices, ..none } }
     }
 
     fn without_vertices<T: bytemuck::Pod>(responder: Responder, uniform: &T) -> Self {

@@ -31,6 +31,8 @@ modules! {
     WEB = "web.wgsl";
     /// Many point lights that stand for one light.
     CLUSTER = "cluster.wgsl";
+    /// Punctual lights that are fitted to a light.
+    FIT = "fit.wgsl";
     /// Linear lights.
     LINE = "line.wgsl";
     /// Arcs of a polygon above a horizon.

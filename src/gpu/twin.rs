@@ -51,6 +51,10 @@ functions! {
     FALLOFF_IRRADIANCE = "falloff_response" in &[Module::POINT], "(v(0), f(3), f(4), v(5), v(8), lobe).irradiance";
     /// Row: vector to the light, intensity, falloff, normal, mirror direction; and the lobe.
     FALLOFF_SPECULAR = "falloff_response" in &[Module::POINT], "(v(0), f(3), f(4), v(5), v(8), lobe).specular";
+    /// Row: vector to the light, intensity, axis times scale and offset of the cone, normal, mirror direction; and the
+    /// lobe. Its twin is [`crate::shading::fit::Punctual::respond`].
+    SPOT_RESPONSE = "spot_response" in &[Module::POINT, Module::FIT],
+        "(v(0), f(3), vec4f(v(4), f(7)), v(8), v(11), lobe).specular";
     /// Row: ends, normal, falloff, diameter.
     LINE_IRRADIANCE = "line_irradiance" in &[Module::POINT, Module::LINE], "(v(0), v(3), v(6), f(9), f(10))";
     /// Row: ends, normal, falloff, diameter, mirror direction; and the lobe.

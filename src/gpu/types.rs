@@ -191,6 +191,12 @@ gpu_structs! {
         pad: [u32; 2],
     }
 
+    /// Punctual lights that are fitted to a light.
+    FitLight {
+        count: u32,
+        is_far: u32,
+    }
+
     /// A flat light for one-shot.
     OneShotLight {
         center: Vec3,

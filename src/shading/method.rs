@@ -4,6 +4,7 @@ use std::fmt;
 use std::ops::RangeInclusive;
 use std::str::FromStr;
 
+use super::fit;
 use crate::light::Shape;
 
 /// How a light's contribution is computed. The names are the ones in files, on the command line, in plots and on
@@ -36,6 +37,8 @@ pub enum Method {
     OneShotSized,
     /// That many point lights spread over the light.
     PointCluster(u32),
+    /// At most that many punctual lights, fitted to the light ([`super::fit`]).
+    Fit(u32),
     /// One point light of the light's whole intensity at its middle.
     Point,
     /// Adaptive quadrature of the defining integral, with an error bound.
@@ -45,10 +48,13 @@ pub enum Method {
 /// Points in `point-cluster` when no number is given.
 const DEFAULT_CLUSTER: u32 = 16;
 
+/// Lights in `fit` when no number is given.
+const DEFAULT_FIT: u32 = 4;
+
 /// A method name that is none.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error(
-    "unknown method `{0}`: use exact, chebyshev[-DEGREE[-LEVELS]], nearest-point, nearest-point-picott, hermite-1, hermite-2, one-shot, one-shot-square, one-shot-sized, point-cluster[-N], point or reference"
+    "unknown method `{0}`: use exact, chebyshev[-DEGREE[-LEVELS]], nearest-point, nearest-point-picott, hermite-1, hermite-2, one-shot, one-shot-square, one-shot-sized, point-cluster[-N], fit-N, point or reference"
 )]
 pub struct UnknownMethod(String);
 
@@ -65,6 +71,7 @@ impl Method {
     /// The methods of a light shape, `exact` first, then its approximations, `point` and `reference`.
     pub fn of(shape: &Shape) -> &'static [Self] {
         const CLUSTER: Method = Method::PointCluster(DEFAULT_CLUSTER);
+        const FIT: Method = Method::Fit(DEFAULT_FIT);
         match shape {
             Shape::Polygon(_) => &[
                 Self::Exact,
@@ -74,24 +81,29 @@ impl Method {
                 Self::OneShotSquare,
                 Self::OneShotSized,
                 CLUSTER,
+                FIT,
                 Self::Point,
                 Self::Reference,
             ],
             Shape::Line(_) => {
-                &[Self::Exact, Self::CHEBYSHEV, Self::NearestPoint, CLUSTER, Self::Point, Self::Reference]
+                &[Self::Exact, Self::CHEBYSHEV, Self::NearestPoint, CLUSTER, FIT, Self::Point, Self::Reference]
             }
-            Shape::Sphere(_) => &[Self::Exact, Self::Hermite1, Self::Hermite2, CLUSTER, Self::Point, Self::Reference],
-            Shape::Cap(_) => &[Self::Exact, Self::Hermite1, Self::Hermite2, CLUSTER, Self::Point, Self::Reference],
+            Shape::Sphere(_) => {
+                &[Self::Exact, Self::Hermite1, Self::Hermite2, CLUSTER, FIT, Self::Point, Self::Reference]
+            }
+            Shape::Cap(_) => &[Self::Exact, Self::Hermite1, Self::Hermite2, CLUSTER, FIT, Self::Point, Self::Reference],
             Shape::Disk(_) | Shape::Textured(_) => &[
                 Self::Exact,
                 Self::OneShot,
                 Self::OneShotSquare,
                 Self::OneShotSized,
                 CLUSTER,
+                FIT,
                 Self::Point,
                 Self::Reference,
             ],
-            Shape::Sky(_) => &[Self::Exact, Self::Point, Self::Reference],
+            Shape::Sky(_) => &[Self::Exact, FIT, Self::Point, Self::Reference],
+            Shape::Point(point) if point.ies.is_some() => &[Self::Exact, FIT],
             Shape::Point(_) | Shape::Directional(_) => &[Self::Exact],
         }
     }
@@ -104,7 +116,15 @@ impl Method {
 
     /// Whether it looks at the light from few directions, in which any lobe can be evaluated.
     pub fn takes_any_lobe(self) -> bool {
-        matches!(self, Self::OneShot | Self::OneShotSquare | Self::OneShotSized | Self::PointCluster(_) | Self::Point)
+        matches!(
+            self,
+            Self::OneShot
+                | Self::OneShotSquare
+                | Self::OneShotSized
+                | Self::PointCluster(_)
+                | Self::Fit(_)
+                | Self::Point
+        )
     }
 
     /// The shape's first approximation, which the command line calls `approx`.
@@ -127,6 +147,9 @@ fn with_numbers(name: &str) -> Option<Method> {
         let fits = Method::DEGREES.contains(&degree) && Method::LEVELS.contains(&levels);
         return fits.then_some(Method::Chebyshev { degree, levels });
     }
+    if let Some(number) = name.strip_prefix("fit-") {
+        return number.parse().ok().filter(|count| fit::COUNTS.contains(count)).map(Method::Fit);
+    }
     let points = name.strip_prefix("point-cluster-")?.parse().ok()?;
     (points > 0).then_some(Method::PointCluster(points))
 }
@@ -147,6 +170,7 @@ impl fmt::Display for Method {
             Self::OneShotSized => f.pad("one-shot-sized"),
             Self::PointCluster(DEFAULT_CLUSTER) => f.pad("point-cluster"),
             Self::PointCluster(points) => f.pad(&format!("point-cluster-{points}")),
+            Self::Fit(lights) => f.pad(&format!("fit-{lights}")),
             Self::Point => f.pad("point"),
             Self::Reference => f.pad("reference"),
         }
@@ -168,6 +192,7 @@ impl FromStr for Method {
             "one-shot-square" => Self::OneShotSquare,
             "one-shot-sized" => Self::OneShotSized,
             "point-cluster" => Self::PointCluster(DEFAULT_CLUSTER),
+            "fit" => Self::Fit(DEFAULT_FIT),
             "point" => Self::Point,
             "reference" => Self::Reference,
             _ => with_numbers(name).ok_or_else(|| UnknownMethod(name.to_owned()))?,
@@ -181,13 +206,24 @@ mod tests {
 
     #[test]
     fn names_with_numbers_are_read_as_they_are_written() {
-        for name in ["chebyshev", "chebyshev-8", "chebyshev-12-65536", "point-cluster", "point-cluster-3"] {
+        for name in
+            ["chebyshev", "chebyshev-8", "chebyshev-12-65536", "point-cluster", "point-cluster-3", "fit-1", "fit-32"]
+        {
             let method: Method = name.parse().expect("a method");
             assert_eq!(method.to_string(), name, "as it was written");
         }
         assert_eq!("chebyshev-6-256".parse(), Ok(Method::CHEBYSHEV), "the usual one");
-        for name in ["chebyshev-0", "chebyshev-16", "chebyshev-6-1", "chebyshev--6", "chebyshev-6-", "point-cluster-0"]
-        {
+        for name in [
+            "chebyshev-0",
+            "chebyshev-16",
+            "chebyshev-6-1",
+            "chebyshev--6",
+            "chebyshev-6-",
+            "point-cluster-0",
+            "fit-0",
+            "fit-33",
+            "fit-",
+        ] {
             assert!(name.parse::<Method>().is_err(), "{name} is none");
         }
     }

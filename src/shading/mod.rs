@@ -6,6 +6,7 @@
 pub mod cap;
 pub mod cluster;
 pub mod disk;
+pub mod fit;
 pub mod line;
 mod lobe;
 mod method;
@@ -26,7 +27,6 @@ pub use reference::BoundedResponse;
 use glam::DVec3;
 
 use crate::light::Emitter;
-use one_shot::OneShot;
 use textured::quadrature::Sought;
 
 /// A point to shade, and from where it is seen.
@@ -60,10 +60,7 @@ pub struct Response {
 /// [`Method::Exact`] does (see [`Method::for_shape`]). Of lobes that are no power of a cosine, Blinn's and Cook and
 /// Torrance's, methods but for point lights, clusters and one-shot have the specular part by quadrature. For more than one point, prepare the light: [`Prepared`].
 pub fn respond(emitter: &Emitter, method: Method, at: &ShadingPoint, lobe: &PhongLobe) -> Response {
-    match OneShot::new(emitter, method) {
-        Some(one_shot) => one_shot.respond(at, lobe),
-        None => answer(emitter, method, at, lobe, Sought::default()),
-    }
+    Prepared::new(emitter, method).respond(at, lobe)
 }
 
 /// The response by a method that needs nothing prepared.

@@ -3,6 +3,7 @@
 mod cases;
 mod disk;
 mod disks_caps_and_skies;
+mod fit;
 mod line;
 mod line_shadows;
 mod lobes;

@@ -46,7 +46,7 @@ impl Scene {
             Emitter::Line(_) => Shape::Line(Line::isotropic(1.0)),
             _ => Shape::Sphere(Sphere { radius: 1.0 }),
         };
-        Method::of(&shape).iter().copied().filter(|method| *method != Method::Reference)
+        Method::of(&shape).iter().copied().filter(|method| !matches!(method, Method::Reference | Method::Fit(_)))
     }
 
     fn respond(&self, method: Method) -> Response {

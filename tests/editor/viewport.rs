@@ -394,6 +394,15 @@ fn a_selected_light_has_its_outline_handles_and_direction() {
 }
 
 #[test]
+fn a_selected_light_shows_the_spots_of_its_fit() {
+    let mut harness = pane(test_scene(), vec2(420.0, 300.0));
+    harness.state_mut().session.selection.set([Item::Light(0)]);
+    harness.state_mut().session.view.method = Method::Fit(8);
+    harness.run();
+    harness.snapshot("viewport_fit");
+}
+
+#[test]
 fn a_polygon_in_the_making_shows_its_grid_and_dimensions() {
     let mut harness = pane(test_scene_from_above(), vec2(640.0, 420.0));
     harness.state_mut().session.tool = Tool::Polygon;

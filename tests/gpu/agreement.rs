@@ -157,6 +157,7 @@ fn every_primitive_and_light_looks_the_same() {
         "one-shot-square",
         "one-shot-sized",
         "point-cluster",
+        "fit-4",
         "point",
     ];
     for method in methods {
@@ -193,7 +194,7 @@ fn every_model_of_reflection_looks_the_same() {
 fn disks_caps_and_skies_look_the_same() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/terrace.toml");
     let scene = scene::load(&path).expect("the scene loads");
-    for method in ["exact", "hermite-1", "hermite-2", "point-cluster", "point"] {
+    for method in ["exact", "hermite-1", "hermite-2", "point-cluster", "fit-3", "point"] {
         check("terrace", &scene, method.parse().expect("a method"));
     }
 }

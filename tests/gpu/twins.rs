@@ -3,8 +3,9 @@
 use glam::DVec3;
 use softbox::gpu::twin::cases::Case;
 use softbox::gpu::twin::{self, Function, Row, Twin, rounded, rounded_number, share_of_bound};
-use softbox::shading::PhongLobe;
+use softbox::shading::fit::{Cone, Punctual};
 use softbox::shading::point::falloff_response;
+use softbox::shading::{PhongLobe, ShadingPoint};
 
 use crate::CONTEXT;
 
@@ -151,4 +152,27 @@ fn density_of_every_lobe_matches() {
 /// The direction or its opposite, whichever is above the surface.
 fn above(n: DVec3, direction: DVec3) -> DVec3 {
     if n.dot(direction) > 0.0 { direction } else { -direction }
+}
+
+#[test]
+fn spots_match_in_and_out_of_their_cones() {
+    let mut random = Random(7);
+    let mut cases = Vec::new();
+    for _ in 0..2000 {
+        let (to_light, n, v) = (random.point(4.0), random.direction(), random.direction());
+        let axis = rounded((-to_light.normalize() + random.point(1.5)).normalize());
+        let cos_outer = random.within(0.0, 0.9);
+        let cone = Cone { cos_inner: random.within(cos_outer + 0.02, 1.0), cos_outer };
+        let [scale, offset] = cone.ramp();
+        let (intensity, m) = (random.magnitude(0.1, 10.0), random.magnitude(1.0, 100.0));
+        let at = ShadingPoint { p: -to_light, n, v };
+        let lobe = PhongLobe::new(m);
+        let spot = Punctual::Spot { position: DVec3::ZERO, intensity, axis, cone };
+        let row = Row::default().vector(to_light).number(intensity).vector(scale * axis).number(offset);
+        let row = row.vector(n).vector(rounded(at.mirror())).lobe(lobe.clone());
+        let scale_of_case = intensity / to_light.length_squared() * (m + 1.0);
+        cases.push(Case { row, expected: spot.respond(&at, &lobe).specular, scale: scale_of_case * (1.0 + scale) });
+    }
+    assert!(cases.iter().filter(|case| case.expected > 0.0).count() > 200, "some are lit");
+    check(&twin::SPOT_RESPONSE, ("share * share", "share"), &cases);
 }

@@ -149,12 +149,15 @@ pub enum Command {
     Keys,
 }
 
-/// The methods that the viewport offers: those of the scene's lights, `exact` first and `point` last. `reference` is left
-/// to plots, as it is far too slow for a picture.
+/// The methods that the viewport offers: those of the scene's lights, `exact` first and `point` last, and fits of several
+/// numbers of lights. `reference` is left to plots, as it is far too slow for a picture.
 pub fn view_methods(scene: &Scene) -> Vec<Method> {
-    let mut methods = methods_for(scene);
-    methods.retain(|method| *method != Method::Reference);
-    methods
+    let offered = |method| match method {
+        Method::Reference => Vec::new(),
+        Method::Fit(_) => [1, 2, 4, 8, 16].map(Method::Fit).to_vec(),
+        method => vec![method],
+    };
+    methods_for(scene).into_iter().flat_map(offered).collect()
 }
 
 impl Command {

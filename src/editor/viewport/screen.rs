@@ -12,10 +12,11 @@ use super::picture::{Haste, Picture};
 use super::pointer::Pointer;
 use super::projection::Projection;
 use super::{Overlays, controls, scales, split};
-use crate::editor::session::{Item, Session, ViewMode};
+use crate::editor::session::{Item, Session, ViewMode, ViewState};
 use crate::editor::theme;
 use crate::gpu::{Display, Survey, View};
 use crate::scene::Scene;
+use crate::shading::Method;
 
 /// Outlines of surfaces that no light shows.
 const IN_THE_DARK: Color32 = Color32::from_gray(0x70);
@@ -127,6 +128,12 @@ impl Screen {
             let hovered = pointer.hovered();
             overlay::paint_lights(scene, &session.selection, hovered, accent, solids, projection, &painter);
         }
+        if let Some(count) = shown_fit(session) {
+            let selected = |(i, light): (usize, _)| session.selection.contains(Item::Light(i)).then_some(light);
+            for light in scene.lights.iter().enumerate().filter_map(selected) {
+                overlay::paint_fit(light, count, accent, projection, &painter);
+            }
+        }
         paint_surfaces(session, accent, solids, projection, &painter);
         if let Some(plot) = scene.plots.get(session.plots.active).filter(|_| overlays.probe) {
             let chosen = session.selection.contains(Item::Plot(session.plots.active)) || pointer.holds_probe();
@@ -170,6 +177,16 @@ impl Screen {
         scales::show(ui, rect, session, &display, name);
         controls::show(ui, rect, session, overlays, &display, name);
     }
+}
+
+/// How many lights the fit has that the view shows, by itself or to compare with.
+fn shown_fit(session: &Session) -> Option<u32> {
+    let ViewState { mode, method, against, against_variant, .. } = session.view;
+    let compared = Some(against).filter(|_| mode.compares() && against_variant.is_none());
+    [Some(method), compared].into_iter().flatten().find_map(|method| match method {
+        Method::Fit(count) => Some(count),
+        _ => None,
+    })
 }
 
 /// Whether illuminance is measured in this viewport.

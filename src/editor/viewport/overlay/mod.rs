@@ -1,12 +1,14 @@
 //! What is painted over the picture: grid, lights, what is being drawn, the probe, the world's axes.
 
 mod draft;
+mod fit;
 mod gnomon;
 mod grid;
 mod lights;
 mod probe;
 
 pub use draft::{Cursor, paint_draft};
+pub use fit::paint_fit;
 pub use gnomon::paint_gnomon;
 pub use grid::{Grid, paint_work_plane};
 pub use lights::{paint_lights, paint_outline};
