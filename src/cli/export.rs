@@ -19,7 +19,8 @@ use crate::scene::{self, Scene};
 pub(super) struct Args {
     /// Scene file.
     scene: PathBuf,
-    /// What to write: ies, json, csv, svg, png or exr; what the output's extension says where it is not given.
+    /// What to write: mitsuba, radiance, blender, ies, json, csv, svg, png or exr; what the output's extension says
+    /// where it is not given.
     #[arg(short, long, value_name = "FORMAT")]
     to: Option<Target>,
     /// File to write.

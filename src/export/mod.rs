@@ -3,17 +3,23 @@
 //! [`export()`] writes a scene, or some of its lights, for a [`Target`], and says what becomes of each thing. The other
 //! modules encode single results: a picture, a plot, a map of errors.
 
+mod blender;
 pub mod csv;
+mod emission;
 pub mod error_map;
 pub mod exr;
+mod facets;
+mod gloss;
 mod ies;
 mod job;
 mod json;
+mod mitsuba;
 mod picture;
 pub mod plot;
 mod plots;
 pub mod png;
 pub mod preflight;
+mod radiance;
 pub mod svg;
 mod target;
 
@@ -30,6 +36,9 @@ use crate::render::Progress;
 /// Where a light is not in the scene, the target can hold nothing of it, or the work is cancelled.
 pub fn export(job: &Job, progress: &Progress) -> Result<Exported, ExportError> {
     match job.target {
+        Target::Mitsuba => mitsuba::write(job, progress),
+        Target::Radiance => radiance::write(job, progress),
+        Target::Blender => blender::write(job, progress),
         Target::Ies => ies::write(job, progress),
         Target::Json => json::write(job, progress),
         Target::Csv | Target::Svg => plots::write(job, progress),

@@ -6,6 +6,12 @@ use std::str::FromStr;
 /// A format that a scene leaves the program in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Target {
+    /// A scene of Mitsuba 3's.
+    Mitsuba,
+    /// A scene of Radiance's.
+    Radiance,
+    /// A script for Blender.
+    Blender,
     /// Candela of the lights, ANSI/IESNA LM-63-2002.
     Ies,
     /// The scene, for scripts.
@@ -22,11 +28,24 @@ pub enum Target {
 
 impl Target {
     /// All of them, as lists show them.
-    pub const ALL: [Self; 6] = [Self::Ies, Self::Json, Self::Csv, Self::Svg, Self::Png, Self::Exr];
+    pub const ALL: [Self; 9] = [
+        Self::Mitsuba,
+        Self::Radiance,
+        Self::Blender,
+        Self::Ies,
+        Self::Json,
+        Self::Csv,
+        Self::Svg,
+        Self::Png,
+        Self::Exr,
+    ];
 
     /// The name on the command line.
     pub fn name(self) -> &'static str {
         match self {
+            Self::Mitsuba => "mitsuba",
+            Self::Radiance => "radiance",
+            Self::Blender => "blender",
             Self::Ies => "ies",
             Self::Json => "json",
             Self::Csv => "csv",
@@ -39,6 +58,9 @@ impl Target {
     /// The extension of its main file; no two have the same.
     pub fn extension(self) -> &'static str {
         match self {
+            Self::Mitsuba => "xml",
+            Self::Radiance => "rad",
+            Self::Blender => "py",
             Self::Ies | Self::Json | Self::Csv | Self::Svg | Self::Png | Self::Exr => self.name(),
         }
     }
@@ -46,6 +68,9 @@ impl Target {
     /// What it is, in a few words.
     pub fn title(self) -> &'static str {
         match self {
+            Self::Mitsuba => "Mitsuba 3: a scene, as XML",
+            Self::Radiance => "Radiance: a scene",
+            Self::Blender => "Blender: a script that builds the scene",
             Self::Ies => "IES (LM-63): the lights as one luminaire from far away",
             Self::Json => "JSON: the scene, for scripts",
             Self::Csv => "CSV: the plots' numbers",
