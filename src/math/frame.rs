@@ -25,6 +25,15 @@ pub fn deg_from_rotation(rotation: DMat3) -> DVec3 {
     DVec3::new(rx.to_degrees(), ry.to_degrees(), rz.to_degrees()) + DVec3::ZERO
 }
 
+/// The rotation without roll that turns a light, which emits along −Z, against `n`: its Z becomes n.
+///
+/// Rz·Rx takes Z to (sin rz sin rx, −cos rz sin rx, cos rx).
+pub fn facing(n: DVec3) -> DMat3 {
+    let across = n.x.hypot(n.y);
+    let rz = if across < 1e-9 { 0.0 } else { n.x.atan2(-n.y) };
+    DMat3::from_rotation_z(rz) * DMat3::from_rotation_x(across.atan2(n.z))
+}
+
 /// The transform of a thing placed by `position` and `rotation_deg`, without scale.
 pub fn world_from_local(position: DVec3, rotation_deg: DVec3) -> DAffine3 {
     DAffine3::from_mat3_translation(rotation_from_deg(rotation_deg), position)

@@ -3,6 +3,7 @@
 //! Radiance is linear, in cd/m² of linear Rec. 709 RGB. The same scene and settings give the same picture, whatever
 //! the number of cores.
 
+pub mod bounds;
 mod choice;
 mod emitters;
 pub mod false_colour;
@@ -10,6 +11,7 @@ mod film;
 mod geometry;
 mod lighting;
 mod shadow;
+pub mod thumbnail;
 mod tone;
 
 pub use choice::MethodChoice;

@@ -2,7 +2,6 @@
 
 pub mod drop;
 mod place;
-mod stage;
 pub mod thumbnails;
 
 pub use place::{place, resting};

@@ -3,6 +3,7 @@
 use glam::{DAffine3, DMat3, DVec3, EulerRot};
 
 use crate::light::{Light, Shape};
+use crate::math::frame::facing;
 use crate::scene::Scene;
 
 /// A surface is a floor, and not a wall, when its normal is this near to upright (cosine).
@@ -45,15 +46,6 @@ pub fn place(preset: &Scene, p: DVec3, n: DVec3) -> Vec<Light> {
 /// A point and a normal for a drop that meets nothing: the work plane's height over the origin.
 pub fn resting(height: f64) -> (DVec3, DVec3) {
     (DVec3::new(0.0, 0.0, height), DVec3::Z)
-}
-
-/// The rotation without roll that turns a light, which emits along −Z, against `n`: its Z becomes n.
-///
-/// Rz·Rx takes Z to (sin rz sin rx, −cos rz sin rx, cos rx).
-fn facing(n: DVec3) -> DMat3 {
-    let rx = n.x.hypot(n.y).atan2(n.z);
-    let rz = if n.x.hypot(n.y) < 1e-9 { 0.0 } else { n.x.atan2(-n.y) };
-    DMat3::from_rotation_z(rz) * DMat3::from_rotation_x(rx)
 }
 
 /// [`facing`], as angles about X, Y and Z.

@@ -9,11 +9,11 @@ use std::sync::mpsc::{Receiver, Sender, channel};
 
 use egui::{ColorImage, Context, TextureHandle, TextureOptions};
 
-use super::{Source, stage};
+use super::Source;
 use crate::light::Shape;
-use crate::render::{self, Film, MethodChoice, Progress, Settings, Shadows, encode_srgb, expose, pbr_neutral};
+use crate::render::Progress;
+use crate::render::thumbnail::thumbnail;
 use crate::scene::{self, Scene};
-use crate::shading::Method;
 
 /// Width and height, pixels.
 pub const SIZE: [u32; 2] = [128, 80];
@@ -145,22 +145,8 @@ fn digest(scene: &Scene) -> u64 {
 
 /// Render on one thread, so that the window keeps the others.
 fn render(scene: &Scene, progress: &Progress) -> Option<Picture> {
-    let staged = stage::staged(scene);
-    // The picture is small: a textured light's first approximation is near enough, and far faster.
-    let is_textured = staged.lights.iter().any(|light| matches!(light.shape, Shape::Textured(_)));
-    let choice = if is_textured { MethodChoice::Approx } else { MethodChoice::Method(Method::Exact) };
-    // So are shadows in closed form; those by rays would take most of the time.
-    let has_shadows = staged.lights.iter().all(|light| matches!(light.shape, Shape::Polygon(_) | Shape::Line(_)));
-    let shadows = if has_shadows { Shadows::default() } else { Shadows::None };
-    let settings = Settings { size: SIZE, choice, samples: SAMPLES, shadows };
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().ok()?;
-    let film = pool.install(|| render::render(&staged, &settings, progress))?;
-    let is_preset = scene.surfaces.is_empty();
-    Some(if is_preset { exposed(&film, stage::exposure(&film)) } else { film.srgb().to_vec() })
-}
-
-fn exposed(film: &Film, exposure_ev: f64) -> Picture {
-    film.radiance().iter().map(|radiance| encode_srgb(pbr_neutral(expose(*radiance, exposure_ev)))).collect()
+    pool.install(|| thumbnail(scene, SIZE, SAMPLES, progress))
 }
 
 fn read(file: &Path) -> Option<Picture> {

@@ -5,7 +5,6 @@
 //! is one picture with its [`controls`], its [`scales`] of false colours, its [`split`] between two methods, and the
 //! [`gauge`] of illuminance.
 
-pub mod bounds;
 pub mod controls;
 pub mod gauge;
 pub mod layout;
@@ -26,7 +25,6 @@ use std::time::Duration;
 use eframe::egui_wgpu::RenderState;
 use egui::{Rect, Response, Sense, Stroke, StrokeKind, Ui, UiBuilder, WidgetInfo};
 
-use self::bounds::Ball;
 use self::pick::Solids;
 use self::picture::{FRAME_BUDGET, Haste};
 use self::pointer::Pointer;
@@ -36,6 +34,8 @@ use super::panes::view_menu;
 use super::session::{Framing, Item, Session};
 use super::{library, theme};
 use crate::gpu::Stats;
+pub use crate::render::bounds;
+use crate::render::bounds::Ball;
 
 /// What is painted over the picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

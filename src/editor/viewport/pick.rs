@@ -9,6 +9,7 @@ use super::symbol::Symbol;
 use crate::editor::handles::segment_distance;
 use crate::editor::session::Item;
 use crate::light::{Emitter, Light};
+pub use crate::render::bounds::outline;
 use crate::scene::Scene;
 use crate::surface::{Bounds, Hit, Surface};
 use crate::visibility::{Objects, Structure};
@@ -129,19 +130,6 @@ fn face_distance(light: &Light, ray: &Ray) -> Option<f64> {
         }
         Emitter::Sphere(sphere) => ray.sphere_distance(sphere.center, sphere.radius),
         Emitter::Line(_) | Emitter::Cap(_) | Emitter::Sky(_) | Emitter::Point(_) | Emitter::Directional(_) => None,
-    }
-}
-
-/// Corners of a disk's outline.
-const RIM: u32 = 64;
-
-/// The outline of a flat light; `None` of others.
-pub fn outline(light: &Light) -> Option<Vec<DVec3>> {
-    match light.emitter() {
-        Emitter::Polygon(polygon) => Some(polygon.vertices),
-        Emitter::Disk(disk) => Some(disk.rim(RIM).collect()),
-        Emitter::Textured(textured) => Some(textured.corners().to_vec()),
-        _ => None,
     }
 }
 

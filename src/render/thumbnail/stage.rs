@@ -2,10 +2,10 @@
 
 use glam::DVec3;
 
-use super::place::facing_deg;
-use crate::editor::viewport::bounds::{Ball, light_points};
 use crate::light::Shape;
+use crate::math::frame::{deg_from_rotation, facing};
 use crate::render::Film;
+use crate::render::bounds::{Ball, light_points};
 use crate::scene::{Camera, Scene};
 use crate::surface::{self, Material, ReflectionModel, Surface};
 
@@ -34,7 +34,7 @@ pub(super) fn staged(scene: &Scene) -> Scene {
             for light in staged.lights.iter_mut().filter(|light| is_near(&light.shape)) {
                 light.position += by;
                 if scene.lights.len() == 1 {
-                    light.rotation_deg = facing_deg((LIGHT - BALL).normalize());
+                    light.rotation_deg = deg_from_rotation(facing((LIGHT - BALL).normalize()));
                 }
             }
             size

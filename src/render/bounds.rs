@@ -1,8 +1,7 @@
-//! How much room things take, for focusing.
+//! How much room lights take.
 
 use glam::DVec3;
 
-use super::pick::outline;
 use crate::light::{Emitter, Light};
 
 /// A sphere around things.
@@ -26,6 +25,19 @@ impl Ball {
         let center = min.midpoint(max);
         let radius = points.iter().map(|p| p.distance(center)).fold(0.0, f64::max);
         Some(Self { center, radius: radius.max(SYMBOL_RADIUS) })
+    }
+}
+
+/// Corners of a disk's outline.
+const RIM: u32 = 64;
+
+/// The outline of a flat light; `None` of others.
+pub fn outline(light: &Light) -> Option<Vec<DVec3>> {
+    match light.emitter() {
+        Emitter::Polygon(polygon) => Some(polygon.vertices),
+        Emitter::Disk(disk) => Some(disk.rim(RIM).collect()),
+        Emitter::Textured(textured) => Some(textured.corners().to_vec()),
+        _ => None,
     }
 }
 
