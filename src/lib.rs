@@ -16,6 +16,7 @@
 //! | [`render`] | CPU pictures |
 //! | [`analysis`] | curves, errors, cost |
 //! | `gpu` (feature `gpu`) | the live preview, in layers |
+//! | [`import`] | what others wrote, read as scenes and light presets |
 //! | [`export`] | what leaves the program |
 //! | [`cli`] | one file a subcommand |
 //! | `editor` (feature `gui`) | the window |
@@ -32,6 +33,7 @@ pub mod analysis;
 pub mod cli;
 pub mod contents;
 pub mod export;
+pub mod import;
 pub mod light;
 pub mod math;
 pub mod refs;

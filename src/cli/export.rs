@@ -4,6 +4,7 @@ use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, bail};
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 
 use super::size::Size;
 use super::{Outcome, files, progress};
@@ -19,9 +20,8 @@ use crate::scene::{self, Scene};
 pub(super) struct Args {
     /// Scene file.
     scene: PathBuf,
-    /// What to write: mitsuba, radiance, blender, ies, json, csv, svg, png or exr; what the output's extension says
-    /// where it is not given.
-    #[arg(short, long, value_name = "FORMAT")]
+    /// What to write; what the output's extension says where it is not given.
+    #[arg(short, long, value_name = "FORMAT", value_parser = targets())]
     to: Option<Target>,
     /// File to write.
     #[arg(short, long, value_name = "FILE", required_unless_present = "dry_run")]
@@ -44,6 +44,11 @@ pub(super) struct Args {
     /// Of pictures: width and height in pixels.
     #[arg(short, long, default_value = "960x540", value_name = "WxH")]
     size: Size,
+}
+
+/// Takes the names of targets.
+fn targets() -> impl TypedValueParser<Value = Target> {
+    PossibleValuesParser::new(Target::ALL.map(Target::name)).try_map(|name| name.parse::<Target>())
 }
 
 /// Export, and write all files or none.

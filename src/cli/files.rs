@@ -39,7 +39,8 @@ pub(super) fn format<F: Copy>(path: &Path, formats: &[(&str, F)]) -> anyhow::Res
     let Some((_, format)) = named else {
         let names: Vec<_> = formats.iter().map(|(name, _)| format!(".{name}")).collect();
         let (last, others) = names.split_last().map_or(("", &[][..]), |(last, others)| (last.as_str(), others));
-        bail!("{}: the name of the output must end in {} or {last}", path.display(), others.join(", "));
+        let or = if others.is_empty() { "" } else { " or " };
+        bail!("{}: the name of the output must end in {}{or}{last}", path.display(), others.join(", "));
     };
     Ok(*format)
 }

@@ -7,6 +7,7 @@ mod export;
 mod figures;
 mod files;
 mod fit;
+mod import;
 mod plot;
 mod probe;
 mod progress;
@@ -14,6 +15,7 @@ mod render;
 mod report;
 mod schema;
 mod shadows;
+mod sheet;
 mod size;
 mod verify;
 
@@ -68,6 +70,8 @@ enum Command {
     Figures(figures::Args),
     Export(export::Args),
     Fit(fit::Args),
+    Import(import::Args),
+    Sheet(sheet::Args),
     Check(check::Args),
     Verify(verify::Args),
     /// Print the JSON Schema of scene files.
@@ -100,6 +104,8 @@ pub fn run(
         Some(Command::Figures(args)) => figures::run(args),
         Some(Command::Export(args)) => export::run(args),
         Some(Command::Fit(args)) => fit::run(args),
+        Some(Command::Import(args)) => import::run(args),
+        Some(Command::Sheet(args)) => sheet::run(args),
         Some(Command::Check(args)) => check::run(args),
         Some(Command::Verify(args)) => verify::run(args),
         Some(Command::Schema) => schema::run(),

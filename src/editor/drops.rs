@@ -1,4 +1,5 @@
-//! Files dropped on the window: scenes are opened, presets inserted, pictures become lights or patterns, meshes surfaces.
+//! Files dropped on the window: scenes are opened, presets and UsdLux lights inserted, pictures become lights or patterns,
+//! meshes surfaces.
 
 use std::path::{Path, PathBuf};
 
@@ -14,6 +15,7 @@ enum Kind {
     Scene,
     Picture,
     Mesh,
+    Stage,
     Other,
 }
 
@@ -24,6 +26,7 @@ impl Kind {
             "toml" => Self::Scene,
             "png" | "jpg" | "jpeg" | "exr" | "hdr" => Self::Picture,
             "obj" => Self::Mesh,
+            "usda" => Self::Stage,
             _ => Self::Other,
         }
     }
@@ -36,7 +39,10 @@ pub(super) fn hint(ctx: &egui::Context) -> Option<&'static str> {
         Some(Kind::Scene) => "Drop to open this scene, or to insert its lights if it is a preset",
         Some(Kind::Picture) => "Drop on a textured light to replace its pattern, elsewhere for a new light",
         Some(Kind::Mesh) => "Drop to add this mesh",
-        Some(Kind::Other) => "Softbox does not open this: scenes and presets (.toml), pictures, meshes (.obj)",
+        Some(Kind::Stage) => "Drop to insert the lights of this stage",
+        Some(Kind::Other) => {
+            "Softbox does not open this: scenes and presets (.toml), pictures, meshes (.obj), stages (.usda)"
+        }
         None => "Drop to open",
     })
 }
@@ -54,11 +60,12 @@ impl App {
                     self.use_pattern(&path, light.as_deref());
                 }
                 Kind::Mesh => self.use_mesh(&path, None),
+                Kind::Stage => self.insert_stage(&path),
                 Kind::Other => {
                     let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
                     self.session.failed(format!(
                         "“{name}” is nothing that Softbox opens: drop scenes or presets (.toml), pictures (.png, .jpg, \
-                         .exr, .hdr) or meshes (.obj)"
+                         .exr, .hdr), meshes (.obj) or stages (.usda)"
                     ));
                 }
             }
@@ -91,7 +98,7 @@ mod tests {
         let kind = |name| Kind::of(Path::new(name));
         assert_eq!([kind("a.toml"), kind("b.TOML")], [Kind::Scene; 2], "scenes");
         assert_eq!([kind("a.PNG"), kind("b.jpeg"), kind("c.exr")], [Kind::Picture; 3], "pictures");
-        assert_eq!(kind("chair.Obj"), Kind::Mesh, "meshes");
+        assert_eq!([kind("chair.Obj"), kind("set.usda")], [Kind::Mesh, Kind::Stage], "meshes and stages");
         assert_eq!([kind("a.pdf"), kind("toml"), kind("")], [Kind::Other; 3], "anything else");
     }
 }

@@ -10,6 +10,7 @@ use super::recovery::Offer;
 use super::session::{Notice, Session};
 use crate::analysis::Sheet;
 use crate::export::plot::PlotFormat;
+use crate::import::usda;
 use crate::scene::{self, History, Scene};
 use crate::surface::Shape;
 
@@ -227,6 +228,25 @@ impl App {
                 self.insert_scene(&title, &scene);
             }
             Err(error) => self.session.failed(error.to_string()),
+        }
+    }
+
+    /// Add the UsdLux lights of a stage to the document, and say what is not as it was there.
+    pub(super) fn insert_stage(&mut self, path: &Path) {
+        match usda::read_file(path) {
+            Ok(imported) => {
+                self.insert_scene(&imported.scene.name, &imported.scene);
+                if let Some(first) = imported.remarks.first() {
+                    let more = imported.remarks.len() - 1;
+                    let others = if more > 0 {
+                        format!(" (and {more} more, which `softbox import` lists)")
+                    } else {
+                        String::new()
+                    };
+                    self.session.done(format!("Not all is as it was: line {first}{others}"));
+                }
+            }
+            Err(error) => self.session.failed(format!("{}: {error}", path.display())),
         }
     }
 

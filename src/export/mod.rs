@@ -20,8 +20,11 @@ mod plots;
 pub mod png;
 pub mod preflight;
 mod radiance;
+pub mod sheet;
 pub mod svg;
 mod target;
+mod texture;
+mod usda;
 
 pub use job::{ExportError, Exported, File, Job, Options};
 pub use preflight::{Fate, Remark};
@@ -39,6 +42,7 @@ pub fn export(job: &Job, progress: &Progress) -> Result<Exported, ExportError> {
         Target::Mitsuba => mitsuba::write(job, progress),
         Target::Radiance => radiance::write(job, progress),
         Target::Blender => blender::write(job, progress),
+        Target::Usda => usda::write(job, progress),
         Target::Ies => ies::write(job, progress),
         Target::Json => json::write(job, progress),
         Target::Csv | Target::Svg => plots::write(job, progress),

@@ -108,7 +108,7 @@ fn number(text: &str) -> String {
 }
 
 /// Text as XML; characters that XML does not have become blanks.
-fn escaped(text: &str) -> String {
+pub(super) fn escaped(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for c in text.chars() {
         match c {

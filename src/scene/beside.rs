@@ -236,6 +236,15 @@ fn numbered(file: &Path, number: u32) -> String {
     file.with_file_name(format!("{stem}-{number}")).with_extension(extension).to_string_lossy().into_owned()
 }
 
+/// The bytes of a regular file that the file `path` names, in its folder or below it.
+///
+/// # Errors
+///
+/// What the system says, or that a link leads out of that folder.
+pub fn read_beside(path: &Path, name: &str) -> io::Result<Vec<u8>> {
+    if is_inside(name) { read_file(folder_of(path), name) } else { Err(io::Error::other("it is not in the folder")) }
+}
+
 /// The bytes of a regular file below `folder` that is not too large, whatever links lead to it.
 pub(super) fn read_file(folder: &Path, name: &str) -> io::Result<Vec<u8>> {
     let path = fs::canonicalize(folder.join(name))?;

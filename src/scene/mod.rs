@@ -20,7 +20,7 @@ mod structure;
 mod validate;
 mod variant;
 
-pub use beside::{MAX_CONTENTS_BYTES, keep_apart, keep_mesh_apart};
+pub use beside::{MAX_CONTENTS_BYTES, keep_apart, keep_mesh_apart, read_beside};
 pub use camera::{Camera, Display};
 pub use history::{History, MOST_HISTORY_BYTES};
 pub use load::{MAX_FILE_BYTES, load, parse, parse_with};

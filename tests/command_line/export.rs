@@ -72,8 +72,89 @@ fn what_is_not_there_or_cannot_be_written_is_one_line() {
     check_refused(&["export", WINDOW, "-o", shown(folder.path()), "--to", "json"], "not a regular file");
     check_refused(&["export", WINDOW, "-o", shown(&there), "--light", "windw"], "did you mean `window`?");
     check_refused(&["export", WINDOW, "-o", "a.txt"], "without --to");
-    check_refused(&["export", WINDOW, "-o", "a.txt", "--to", "pdf"], "`pdf` is not known");
+    check_refused(&["export", WINDOW, "-o", "a.txt", "--to", "pdf"], "possible values: usda, ");
     check_refused(&["export", WINDOW, "--to", "json"], "--output");
     check_refused(&["export", WINDOW, "--dry-run"], "--to");
     assert!(names(folder.path()).is_empty(), "something is written");
+}
+
+#[test]
+fn nothing_is_written_while_something_would_be_lost() {
+    let folder = folder();
+    let output = folder.path().join("everything.usda");
+    let arguments = ["export", EVERYTHING, "-o", shown(&output)];
+    let refused = run(&arguments);
+    assert_eq!(refused.status.code(), Some(2), "{}", text(&refused.stderr));
+    assert!(text(&refused.stderr).contains("lost     light \"slow tube\""), "{}", text(&refused.stderr));
+    assert!(text(&refused.stderr).lines().last().is_some_and(|line| line.contains("--allow-loss")), "what to do");
+    assert!(names(folder.path()).is_empty(), "something is written");
+    check_done(&run(&[&arguments[..], &["--allow-loss"]].concat()));
+    let stage = fs::read_to_string(&output).expect("it is written");
+    let header = concat!("# Softbox ", env!("CARGO_PKG_VERSION"), ", scene everything.toml\n");
+    assert!(stage.starts_with("#usda 1.0\n") && stage.contains(header), "it names its maker and the scene");
+    assert!(stage.contains("# lost     light \"slow tube\""), "and what is lost");
+    assert!(!stage.contains("\"slow_tube\""), "and has it not");
+}
+
+#[test]
+fn all_files_are_written_or_none() {
+    let folder = folder();
+    let output = folder.path().join("leaves.usda");
+    let picture = folder.path().join("leaves-leaves.exr");
+    fs::create_dir(&picture).expect("a folder in the picture's place");
+    check_refused_at_its_end(&["export", "presets/lights/leaf-gobo.toml", "-o", shown(&output)], "leaves-leaves.exr");
+    assert!(names(folder.path()).iter().eq([&picture]), "something is written");
+    fs::remove_dir(&picture).expect("it is empty");
+    check_done(&run(&["export", "presets/lights/leaf-gobo.toml", "-o", shown(&output)]));
+    assert!(picture.is_file() && output.is_file(), "both are written");
+}
+
+/// Status 2, and a last line that says `expected`.
+#[track_caller]
+fn check_refused_at_its_end(arguments: &[&str], expected: &str) {
+    let output = run(arguments);
+    let said = text(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{arguments:?} said: {said}");
+    assert!(
+        said.lines().last().is_some_and(|line| line.contains(expected)),
+        "{arguments:?} should end with `{expected}`: {said}"
+    );
+}
+
+#[test]
+fn a_stage_comes_back_as_a_preset_with_its_pictures() {
+    let folder = folder();
+    let (stage, preset) = (folder.path().join("leaves.usda"), folder.path().join("back/leaves.toml"));
+    fs::create_dir(folder.path().join("back")).expect("a folder");
+    check_done(&run(&["export", "presets/lights/leaf-gobo.toml", "-o", shown(&stage)]));
+    check_done(&run(&["import", shown(&stage), "-o", shown(&preset)]));
+    let (back, source) = (softbox::scene::load(&preset), softbox::scene::load("presets/lights/leaf-gobo.toml"));
+    let (back, source) = (back.expect("it loads"), source.expect("it loads"));
+    assert_eq!(back.lights.len(), source.lights.len(), "its lights");
+    let flux = |scene: &softbox::scene::Scene| scene.lights[0].in_quantity(softbox::light::QuantityKind::Flux);
+    let (found, expected) = (flux(&back).expect("a flux"), flux(&source).expect("a flux"));
+    assert!((found / expected - 1.0).abs() < 1e-6, "{found} lm, not {expected}");
+    check_refused(&["import", WINDOW, "-o", shown(&preset)], "is no .usda text");
+    check_refused(&["import", "tests/data/usda/studio.usda", "-o", "a.json"], ".toml");
+}
+
+#[test]
+fn a_sheet_shows_every_file_of_a_folder() {
+    let folder = folder();
+    let scenes = folder.path().join("scenes");
+    fs::create_dir_all(scenes.join("more")).expect("folders");
+    for name in ["a.toml", "b.toml", "more/c.toml"] {
+        fs::copy(WINDOW, scenes.join(name)).expect("it is copied");
+    }
+    let output = folder.path().join("sheet.png");
+    check_done(&run(&["sheet", shown(&scenes), WINDOW, "-o", shown(&output), "--size", "40x24", "--columns", "3"]));
+    let sheet = image::open(&output).expect("a picture").into_rgb8();
+    assert_eq!([sheet.width(), sheet.height()], [12 + 3 * 52, 12 + 2 * 58], "two rows");
+    let picture =
+        |column: u32, row: u32| image::imageops::crop_imm(&sheet, 12 + 52 * column, 12 + 58 * row, 40, 24).to_image();
+    assert!(picture(0, 0).pixels().any(|pixel| pixel.0[0] > 100), "a picture of something");
+    assert_eq!(picture(0, 0), picture(0, 1), "the fourth is the same scene");
+    check_refused(&["sheet", shown(folder.path()), "-o", "sheet.svg"], ".png");
+    fs::create_dir(folder.path().join("empty")).expect("a folder");
+    check_refused(&["sheet", shown(&folder.path().join("empty")), "-o", shown(&output)], "has no scene files");
 }

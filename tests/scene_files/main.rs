@@ -1,5 +1,6 @@
 //! Scene files: loading, refusing, saving, merging, and the presets.
 
+mod exports;
 mod merging;
 mod painted;
 mod patterns;
@@ -9,6 +10,7 @@ mod random;
 mod refusals;
 mod saving;
 mod surfaces;
+mod usda;
 mod variants;
 
 use std::fs;
