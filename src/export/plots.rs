@@ -1,7 +1,7 @@
 //! A scene's plots, all on one sheet.
 
-use super::plot::{PlotFormat, SAMPLES};
-use super::{ExportError, Exported, Fate, Job, Remark, Target};
+use super::plot::SAMPLES;
+use super::{ExportError, Exported, Fate, Job, Remark, Target, csv, svg};
 use crate::analysis::{self, Curves, Series, Sheet};
 use crate::render::Progress;
 use crate::scene::{Plot, Scene};
@@ -20,10 +20,19 @@ pub(super) fn write(job: &Job, progress: &Progress) -> Result<Exported, ExportEr
     };
     let sheets: Option<Vec<_>> = scene.plots.iter().map(sheet).collect();
     let sheets = sheets.ok_or(ExportError::Cancelled)?;
-    let format = if job.target == Target::Csv { PlotFormat::Csv } else { PlotFormat::Svg };
     let encode = |cause| ExportError::Encode { what: "the plots".to_owned(), cause: Box::new(cause) };
     remarks.extend(remarks_on(&scene));
-    Ok(Exported { files: vec![job.main_file(format.write(&sheets).map_err(encode)?)], remarks })
+    let bytes = match job.target {
+        Target::Csv => csv::plots(&sheets).map_err(encode)?,
+        _ => described(job, &svg::plots(&sheets)).into_bytes(),
+    };
+    Ok(Exported { files: vec![job.main_file(bytes)], remarks })
+}
+
+/// A picture that says behind its title who drew it, and of what.
+fn described(job: &Job, svg: &str) -> String {
+    let maker = svg::escaped(job.header(&[], "").trim());
+    svg.replacen("</title>\n", &format!("</title>\n<desc>{maker}</desc>\n"), 1)
 }
 
 fn remarks_on(scene: &Scene) -> Vec<Remark> {

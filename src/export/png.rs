@@ -20,12 +20,20 @@ pub enum DrawError {
 
 /// A picture of 8-bit sRGB pixels, row by row from the top.
 pub fn rgb(size: [u32; 2], pixels: &[[u8; 3]]) -> Result<Vec<u8>, EncodingError> {
+    rgb_with(size, pixels, &[])
+}
+
+/// [`rgb`] with texts, each behind its keyword.
+pub fn rgb_with(size: [u32; 2], pixels: &[[u8; 3]], texts: &[(&str, &str)]) -> Result<Vec<u8>, EncodingError> {
     let mut bytes = Vec::new();
     let mut encoder = Encoder::new(&mut bytes, size[0], size[1]);
     encoder.set_color(ColorType::Rgb);
     encoder.set_depth(BitDepth::Eight);
     encoder.set_source_srgb(SrgbRenderingIntent::Perceptual);
     encoder.set_compression(Compression::High);
+    for (keyword, text) in texts {
+        encoder.add_itxt_chunk((*keyword).to_owned(), (*text).to_owned())?;
+    }
     let mut writer = encoder.write_header()?;
     writer.write_image_data(pixels.as_flattened())?;
     writer.finish()?;

@@ -158,3 +158,27 @@ fn a_sheet_shows_every_file_of_a_folder() {
     fs::create_dir(folder.path().join("empty")).expect("a folder");
     check_refused(&["sheet", shown(&folder.path().join("empty")), "-o", shown(&output)], "has no scene files");
 }
+
+#[test]
+fn pictures_and_plots_name_their_maker_and_are_the_same_twice() {
+    const PLOTTED: &str = "presets/scenes/first-light.toml";
+    let folder = folder();
+    let maker = concat!("Softbox ", env!("CARGO_PKG_VERSION"));
+    let written = |name: &str, more: &[&str]| {
+        let output = folder.path().join(name);
+        check_done(&run(&[&["export", PLOTTED, "-o", shown(&output)], more].concat()));
+        fs::read(&output).expect("it is written")
+    };
+    for (name, more, says) in [
+        ("a.png", &["--size", "40x24"][..], Some(maker)),
+        ("a.exr", &["--size", "40x24"], None),
+        ("a.svg", &[], Some(maker)),
+        ("a.csv", &[], None),
+    ] {
+        let first = written(name, more);
+        assert!(first == written(name, more), "{name} differs from run to run");
+        let held = String::from_utf8_lossy(&first);
+        assert!(says.is_none_or(|maker| held.contains(maker) && held.contains("first-light.toml")), "{name}");
+    }
+    check_refused(&["export", "presets/lights/bulb.toml", "-o", "a.svg"], "has no plots");
+}
