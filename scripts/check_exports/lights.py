@@ -34,7 +34,12 @@ TILT=NONE
 """
 
 # What a target says that it cannot hold; all else must be there.
-LOST = {"mitsuba": {"line-falloff-1", "point-ies"}, "radiance": set(), "blender": {"point-ies"}}
+LOST = {
+    "usda": {"line-falloff-1"},
+    "mitsuba": {"line-falloff-1", "point-ies"},
+    "radiance": set(),
+    "blender": {"point-ies"},
+}
 
 
 @dataclass(frozen=True)

@@ -14,7 +14,7 @@ import presets
 from softbox import Softbox
 
 # Targets whose light is rendered, and those whose files are read, with their extensions; each has a module with_TARGET.
-RENDERED = {"mitsuba": "xml", "radiance": "rad", "blender": "py"}
+RENDERED = {"usda": "usda", "mitsuba": "xml", "radiance": "rad", "blender": "py"}
 READ = RENDERED
 CHECKS = [*RENDERED, "looks", *(f"{target}-presets" for target in READ)]
 

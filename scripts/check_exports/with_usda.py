@@ -1,10 +1,11 @@
-"""Illuminance by the UsdLux lights of a stage: read by OpenUSD itself, summed over small pieces as the schema means them."""
+"""OpenUSD's own validators, and the illuminance by the lights of a stage as OpenUSD reads them, summed over small pieces as
+the UsdLux schema means them."""
 
 from pathlib import Path
 
 import mitsuba
 import numpy as np
-from pxr import Usd, UsdGeom, UsdLux
+from pxr import Usd, UsdGeom, UsdLux, UsdValidation
 
 from cases import POINTS, Case
 
@@ -12,6 +13,26 @@ mitsuba.set_variant("scalar_rgb")
 
 # Pieces of a light along each of its two directions.
 PIECES = 192
+
+
+def faults(path: Path) -> list[str]:
+    """What the validators say, and where a light is scaled or its intensity is no luminance."""
+    stage = Usd.Stage.Open(str(path))
+    context = UsdValidation.ValidationContext(UsdValidation.ValidationRegistry().GetOrLoadAllValidators())
+    found = [f"{error.GetName()}: {error.GetMessage()}" for error in context.Validate(stage)]
+    if UsdGeom.GetStageUpAxis(stage) != UsdGeom.Tokens.z or UsdGeom.GetStageMetersPerUnit(stage) != 1.0:
+        found.append("the stage is not in metres, Z up")
+    for prim in (prim for prim in stage.Traverse() if prim.HasAPI(UsdLux.LightAPI)):
+        light = UsdLux.LightAPI(prim)
+        if not np.allclose(np.linalg.norm(matrix_of(prim)[:3, :3], axis=1), 1.0):
+            found.append(f"{prim.GetPath()}: is scaled")
+        if light.GetNormalizeAttr().Get() or not light.GetIntensityAttr().HasAuthoredValue():
+            found.append(f"{prim.GetPath()}: its intensity is no luminance")
+    return found
+
+
+def broken(text: str) -> str:
+    return text.replace("metersPerUnit = 1\n", "metersPerUnit = 0\n").replace('defaultPrim = "World"', "")
 
 
 def centers(count: int) -> np.ndarray:
@@ -100,6 +121,24 @@ def mesh(prim: UsdGeom.Mesh) -> tuple[np.ndarray, ...]:
     return tuple(np.concatenate(part) for part in zip(*parts))
 
 
+def profile(prim: Usd.Prim, ways: np.ndarray) -> np.ndarray:
+    """Candelas of a light's IES file in directions of its own frame; 1 without one. Nadir is -Z, C = 0 at +X."""
+    attribute = prim.GetAttribute("inputs:shaping:ies:file")
+    asset = attribute.Get() if attribute else None
+    if not asset:
+        return np.ones(len(ways))
+    numbers = [float(word) for word in Path(asset.resolvedPath).read_text().split("TILT=NONE")[1].split()]
+    rows, planes = int(numbers[3]), int(numbers[4])
+    gammas, turns, candelas = np.split(np.array(numbers[13 : 13 + rows + planes + rows * planes]), [rows, rows + planes])
+    candelas = numbers[2] * candelas.reshape(planes, rows)
+    gamma = np.degrees(np.arctan2(np.hypot(ways[:, 0], ways[:, 1]), -ways[:, 2]))
+    turn = np.degrees(np.arctan2(ways[:, 1], ways[:, 0])) % 360.0
+    by_plane = np.array([np.interp(gamma, gammas, plane, right=0.0) for plane in candelas])
+    if planes == 1:
+        return by_plane[0]
+    return np.array([np.interp(t, turns, by_plane[:, i]) for i, t in enumerate(turn)])
+
+
 def directions(prim: Usd.Prim) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Directions to a light that is infinitely far, their solid angles and shares of the radiance, in its own frame."""
     u, v = grid(4 * PIECES, 2 * PIECES)
@@ -157,6 +196,10 @@ def illuminance(path: Path, case: Case) -> np.ndarray:
                 reach = np.linalg.norm(way, axis=1)
                 towards = way / reach[:, None]
                 faces = np.maximum(-(towards * normals).sum(1), 0.0)
+                if prim.GetAttribute("inputs:shaping:ies:file"):
+                    # One direction for all of the little ball.
+                    middle = -way.mean(0) @ np.linalg.inv(turn)
+                    faces = faces * profile(prim, middle[None])[0]
                 weights = areas * faces * np.maximum(towards[:, 2], 0.0) / reach**2
             weights = weights * is_open(box, start, towards, reach)
             sum_[i] += level * (weights @ shares)
