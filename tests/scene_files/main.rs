@@ -1,6 +1,5 @@
 //! Scene files: loading, refusing, saving, merging, and the presets.
 
-mod exports;
 mod merging;
 mod painted;
 mod patterns;
