@@ -7,7 +7,6 @@ from pathlib import Path
 
 import numpy as np
 
-
 # Of pictures, where a file says one.
 SIZE = "64x48"
 
