@@ -8,6 +8,8 @@ use std::str::FromStr;
 pub enum Target {
     /// OpenUSD.
     Usda,
+    /// Lights by `KHR_lights_punctual`, surfaces as meshes.
+    Gltf,
     /// A scene of Mitsuba 3's.
     Mitsuba,
     /// A scene of Radiance's.
@@ -30,8 +32,9 @@ pub enum Target {
 
 impl Target {
     /// All of them, as lists show them.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 11] = [
         Self::Usda,
+        Self::Gltf,
         Self::Mitsuba,
         Self::Radiance,
         Self::Blender,
@@ -47,6 +50,7 @@ impl Target {
     pub fn name(self) -> &'static str {
         match self {
             Self::Usda => "usda",
+            Self::Gltf => "gltf",
             Self::Mitsuba => "mitsuba",
             Self::Radiance => "radiance",
             Self::Blender => "blender",
@@ -73,6 +77,7 @@ impl Target {
     pub fn title(self) -> &'static str {
         match self {
             Self::Usda => "OpenUSD: lights, surfaces and materials",
+            Self::Gltf => "glTF: fitted punctual lights, and meshes",
             Self::Mitsuba => "Mitsuba 3: a scene, as XML",
             Self::Radiance => "Radiance: a scene",
             Self::Blender => "Blender: a script that builds the scene",
