@@ -37,6 +37,9 @@ pub trait Dialogs {
     /// Which OBJ file to use as a mesh.
     fn open_mesh(&mut self, ctx: &egui::Context, folder: Option<&Path>) -> Answer;
 
+    /// Which IES file to use for a point light.
+    fn open_photometry(&mut self, ctx: &egui::Context, folder: Option<&Path>) -> Answer;
+
     /// Where to write what would be called `name`, which ends in the extension of its kind.
     fn export(&mut self, ctx: &egui::Context, folder: Option<&Path>, name: &str) -> Answer;
 }
@@ -121,6 +124,11 @@ impl Dialogs for Native {
         Self::wait(ctx, Self::start(meshes, folder).set_title("Choose a mesh").pick_file())
     }
 
+    fn open_photometry(&mut self, ctx: &egui::Context, folder: Option<&Path>) -> Answer {
+        let files = rfd::AsyncFileDialog::new().add_filter("IES (LM-63)", &["ies", "IES"]);
+        Self::wait(ctx, Self::start(files, folder).set_title("Choose an IES file").pick_file())
+    }
+
     fn export(&mut self, ctx: &egui::Context, folder: Option<&Path>, name: &str) -> Answer {
         let extension = Path::new(name).extension().unwrap_or_default().to_string_lossy();
         let files = rfd::AsyncFileDialog::new().add_filter(extension.to_uppercase(), &[&*extension]);
@@ -150,6 +158,10 @@ impl Dialogs for Scripted {
     fn open_mesh(&mut self, _ctx: &egui::Context, _folder: Option<&Path>) -> Answer {
         self.next()
     }
+    fn open_photometry(&mut self, _ctx: &egui::Context, _folder: Option<&Path>) -> Answer {
+        self.next()
+    }
+
     fn export(&mut self, _ctx: &egui::Context, _folder: Option<&Path>, _name: &str) -> Answer {
         self.next()
     }

@@ -1,5 +1,5 @@
 //! Files dropped on the window: scenes are opened, presets and UsdLux lights inserted, pictures become lights or patterns,
-//! meshes surfaces.
+//! IES files point lights, meshes surfaces.
 
 use std::path::{Path, PathBuf};
 
@@ -14,6 +14,7 @@ use crate::scene;
 enum Kind {
     Scene,
     Picture,
+    Photometry,
     Mesh,
     Stage,
     Other,
@@ -25,6 +26,7 @@ impl Kind {
         match extension.as_str() {
             "toml" => Self::Scene,
             "png" | "jpg" | "jpeg" | "exr" | "hdr" => Self::Picture,
+            "ies" => Self::Photometry,
             "obj" => Self::Mesh,
             "usda" => Self::Stage,
             _ => Self::Other,
@@ -38,10 +40,11 @@ pub(super) fn hint(ctx: &egui::Context) -> Option<&'static str> {
     Some(match file.path.as_deref().map(Kind::of) {
         Some(Kind::Scene) => "Drop to open this scene, or to insert its lights if it is a preset",
         Some(Kind::Picture) => "Drop on a textured light to replace its pattern, elsewhere for a new light",
+        Some(Kind::Photometry) => "Drop on a point light to give it these candela, elsewhere for a new light",
         Some(Kind::Mesh) => "Drop to add this mesh",
         Some(Kind::Stage) => "Drop to insert the lights of this stage",
         Some(Kind::Other) => {
-            "Softbox does not open this: scenes and presets (.toml), pictures, meshes (.obj), stages (.usda)"
+            "Softbox does not open this: scenes and presets (.toml), pictures, IES files, meshes (.obj), stages (.usda)"
         }
         None => "Drop to open",
     })
@@ -56,8 +59,12 @@ impl App {
             match Kind::of(&path) {
                 Kind::Scene => self.drop_scene(ctx, path),
                 Kind::Picture => {
-                    let light = textured_light(&self.session);
+                    let light = light_under_pointer(&self.session, |shape| matches!(shape, Shape::Textured(_)));
                     self.use_pattern(&path, light.as_deref());
+                }
+                Kind::Photometry => {
+                    let light = light_under_pointer(&self.session, |shape| matches!(shape, Shape::Point(_)));
+                    self.use_photometry(&path, light.as_deref());
                 }
                 Kind::Mesh => self.use_mesh(&path, None),
                 Kind::Stage => self.insert_stage(&path),
@@ -65,7 +72,7 @@ impl App {
                     let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
                     self.session.failed(format!(
                         "“{name}” is nothing that Softbox opens: drop scenes or presets (.toml), pictures (.png, .jpg, \
-                         .exr, .hdr), meshes (.obj) or stages (.usda)"
+                         .exr, .hdr), IES files (.ies), meshes (.obj) or stages (.usda)"
                     ));
                 }
             }
@@ -82,11 +89,11 @@ impl App {
     }
 }
 
-/// The textured light under the pointer, by name.
-fn textured_light(session: &Session) -> Option<String> {
+/// The light under the pointer, by name, if it has such a shape.
+fn light_under_pointer(session: &Session, has: impl Fn(&Shape) -> bool) -> Option<String> {
     let Some(Item::Light(index)) = session.under_pointer else { return None };
     let light = session.scene().lights.get(index)?;
-    matches!(light.shape, Shape::Textured(_)).then(|| light.name.clone())
+    has(&light.shape).then(|| light.name.clone())
 }
 
 #[cfg(test)]
@@ -99,6 +106,7 @@ mod tests {
         assert_eq!([kind("a.toml"), kind("b.TOML")], [Kind::Scene; 2], "scenes");
         assert_eq!([kind("a.PNG"), kind("b.jpeg"), kind("c.exr")], [Kind::Picture; 3], "pictures");
         assert_eq!([kind("chair.Obj"), kind("set.usda")], [Kind::Mesh, Kind::Stage], "meshes and stages");
+        assert_eq!(kind("SPOT.IES"), Kind::Photometry, "IES files");
         assert_eq!([kind("a.pdf"), kind("toml"), kind("")], [Kind::Other; 3], "anything else");
     }
 }

@@ -8,7 +8,8 @@ use glam::{DVec2, DVec3};
 
 use super::session::{Item, Session};
 use crate::light::pattern::{Image, Pattern};
-use crate::light::{Light, Polygon, Shape, Textured};
+use crate::light::photometry::Photometry;
+use crate::light::{Light, Point, Polygon, Shape, Textured};
 use crate::scene::{self, Plot, PlotKind, PlotQuantity, Scene};
 use crate::surface::{self, Material, Mesh, ReflectionModel, Surface};
 
@@ -35,6 +36,16 @@ impl Session {
         let replaced = &self.scene().lights[index];
         scene::keep_apart(&mut light, self.scene().all_lights().filter(|other| !std::ptr::eq(*other, replaced)));
         self.edit("Replace pattern", |scene| scene.lights[index] = light);
+    }
+
+    /// Give the point light of that name the intensities of another file, as bright as the file says.
+    pub fn replace_photometry(&mut self, name: &str, photometry: Photometry) {
+        let Some(index) = self.scene().lights.iter().position(|light| light.name == name) else { return };
+        let old = &self.scene().lights[index];
+        let Light { quantity, shape, .. } = measured(photometry);
+        let mut light = Light { quantity, shape, ..old.clone() };
+        scene::keep_apart(&mut light, self.scene().all_lights().filter(|other| !std::ptr::eq(*other, old)));
+        self.edit("Replace IES file", |scene| scene.lights[index] = light);
     }
 
     /// Give a light what was painted over its pattern.
@@ -243,6 +254,12 @@ pub(super) fn textured(pattern: Pattern) -> Light {
     let size = texels / texels.max_element();
     let light = new_light(Shape::Textured(Textured { size, pattern, two_sided: false }));
     Light { name, ..light }
+}
+
+/// A point light with the intensities of a file, as bright as the file says, called after the file.
+pub(super) fn measured(photometry: Photometry) -> Light {
+    let name = stem(&photometry.file);
+    Light { name, ..new_light(Shape::Point(Point { ies: Some(photometry) })) }
 }
 
 /// The pattern of a new textured light: bright in the middle and darker towards the rim, as a softbox is.

@@ -53,6 +53,8 @@ enum Purpose {
     Save(Option<Then>),
     /// Add a light with a pattern, or give another pattern to the light of that name.
     Pattern(Option<String>),
+    /// Add a point light of an IES file, or give another file to the light of that name.
+    Photometry(Option<String>),
     /// Add a surface with a mesh, or give another mesh to the surface of that name.
     Mesh(Option<String>),
     /// Write a plot.
@@ -156,6 +158,7 @@ impl App {
                 self.write(ctx, &path, then);
             }
             (Reply::Chosen(path), Purpose::Pattern(light)) => self.use_pattern(&path, light.as_deref()),
+            (Reply::Chosen(path), Purpose::Photometry(light)) => self.use_photometry(&path, light.as_deref()),
             (Reply::Chosen(path), Purpose::Mesh(surface)) => self.use_mesh(&path, surface.as_deref()),
             (Reply::Chosen(path), Purpose::Plot(format, sheet)) => self.write_plot(path, format, &sheet),
         }
@@ -171,6 +174,21 @@ impl App {
         match (scene::import_pattern(path, self.session.path.as_deref()), light) {
             (Ok(pattern), None) => self.session.add_light(edits::textured(pattern)),
             (Ok(pattern), Some(name)) => self.session.replace_pattern(name, pattern),
+            (Err(error), _) => self.session.failed(error),
+        }
+    }
+
+    /// Ask for an IES file: for a new light, or for the light of that name.
+    pub fn choose_photometry(&mut self, ctx: &egui::Context, light: Option<String>) {
+        let answer = self.dialogs.open_photometry(ctx, self.folder().as_deref());
+        self.files.waiting = Some((answer, Purpose::Photometry(light)));
+    }
+
+    /// Add a point light with the intensities of a file, or give them to the light of that name.
+    pub(super) fn use_photometry(&mut self, path: &Path, light: Option<&str>) {
+        match (scene::import_photometry(path, self.session.path.as_deref()), light) {
+            (Ok(photometry), None) => self.session.add_light(edits::measured(photometry)),
+            (Ok(photometry), Some(name)) => self.session.replace_photometry(name, photometry),
             (Err(error), _) => self.session.failed(error),
         }
     }

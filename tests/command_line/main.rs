@@ -8,6 +8,7 @@ use std::process::{Command, Output, Stdio};
 use tempfile::TempDir;
 
 mod export;
+mod ies;
 mod shadows;
 
 /// A light of 2 m² and 1000 cd/m², 2 m above the ground.

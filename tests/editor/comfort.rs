@@ -130,6 +130,11 @@ fn what_is_dropped_on_the_window_is_opened_inserted_or_refused() {
     drop_file(&mut window, "leaves.png", picture);
     let scene = window.scene();
     assert!(matches!(scene.lights.last().map(|light| &light.shape), Some(Shape::Textured(_))), "a picture is a light");
+    let candela = "IESNA:LM-63-2002\nTILT=NONE\n1 -1 1 2 1 1 2 0 0 0\n1 1 0\n0 90\n0\n700 0\n";
+    drop_file(&mut window, "lamp.ies", candela.as_bytes());
+    let scene = window.scene();
+    let lamp = scene.lights.last().expect("lights");
+    assert!(lamp.name == "lamp" && lamp.strength() == 700.0, "an IES file is a point light as bright as it says");
     drop_file(&mut window, "letter.pdf", b"%PDF");
     assert!(window.says("“letter.pdf” is nothing that Softbox opens"), "anything else is told");
     assert_eq!(window.scene(), scene, "and changes nothing");

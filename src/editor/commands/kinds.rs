@@ -24,6 +24,8 @@ pub enum LightKind {
     Sky,
     /// A point.
     Point,
+    /// A point with the intensities of an IES file.
+    Measured,
     /// Parallel light.
     Directional,
 }
@@ -57,7 +59,7 @@ pub enum SurfaceKind {
 
 impl LightKind {
     /// All of them, in menu order.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 10] = [
         Self::Polygon,
         Self::Disk,
         Self::Textured,
@@ -66,6 +68,7 @@ impl LightKind {
         Self::Sky,
         Self::Cap,
         Self::Point,
+        Self::Measured,
         Self::Directional,
     ];
 
@@ -79,7 +82,8 @@ impl LightKind {
             light::Shape::Sphere(_) => Self::Sphere,
             light::Shape::Sky(_) => Self::Sky,
             light::Shape::Cap(_) => Self::Cap,
-            light::Shape::Point(_) => Self::Point,
+            light::Shape::Point(Point { ies: None }) => Self::Point,
+            light::Shape::Point(_) => Self::Measured,
             light::Shape::Directional(_) => Self::Directional,
         }
     }
@@ -94,6 +98,7 @@ impl LightKind {
             Self::Sky => "Sky",
             Self::Cap => "Cap",
             Self::Point => "Point",
+            Self::Measured => "Point from IES…",
             Self::Directional => "Directional",
         }
     }
@@ -109,6 +114,7 @@ impl LightKind {
             Self::Sky => "A hemisphere of light infinitely far away: uniform, cosine or overcast",
             Self::Cap => "A round patch of the sky infinitely far away, such as the sun behind haze",
             Self::Point => "All of the light at one point",
+            Self::Measured => "A luminaire far away: a point with the candela of an IES file (LM-63, type C)",
             Self::Directional => "Parallel light, such as a clear sun’s",
         }
     }
@@ -116,7 +122,7 @@ impl LightKind {
     /// The shape that a new light of this kind has; none where a file has to be chosen first.
     pub(super) fn shape(self) -> Option<light::Shape> {
         Some(match self {
-            Self::Textured => return None,
+            Self::Textured | Self::Measured => return None,
             Self::Polygon => light::Shape::Polygon(edits::rectangle(1.0, 1.0)),
             Self::Disk => light::Shape::Disk(Disk { radius: 0.4, two_sided: false }),
             Self::Cap => light::Shape::Cap(Cap { half_angle_deg: 15.0 }),

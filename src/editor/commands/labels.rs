@@ -82,7 +82,7 @@ impl Command {
             Self::SelectAll => "Select all",
             Self::SelectNone => "Select none",
             Self::AddMaterial => "Material",
-            Self::ReplacePattern(_) | Self::ReplaceMesh(_) => "Replace…",
+            Self::ReplacePattern(_) | Self::ReplacePhotometry(_) | Self::ReplaceMesh(_) => "Replace…",
             Self::EditPattern => "Edit pattern",
             Self::Tool(Tool::Move) => "Move",
             Self::Tool(Tool::Rotate) => "Rotate",
@@ -171,6 +171,7 @@ impl Command {
             | Self::Select(_) => Category::Edit,
             Self::AddLight(_)
             | Self::ReplacePattern(_)
+            | Self::ReplacePhotometry(_)
             | Self::EditPattern
             | Self::InsertPreset(_)
             | Self::InsertFile(_)

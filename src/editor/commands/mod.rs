@@ -67,6 +67,8 @@ pub enum Command {
     AddLight(LightKind),
     /// Give the light of that name another pattern.
     ReplacePattern(String),
+    /// Give the light of that name another IES file.
+    ReplacePhotometry(String),
     /// Paint the pattern of the selected light.
     EditPattern,
     /// Add the lights of a preset.
@@ -246,9 +248,11 @@ impl Command {
             Self::ToggleSolo => session.toggle_solo_selection(),
             Self::AddLight(kind) => match kind.shape() {
                 Some(shape) => session.add_light(edits::new_light(shape)),
+                None if kind == LightKind::Measured => app.choose_photometry(ctx, None),
                 None => app.choose_pattern(ctx, None),
             },
             Self::ReplacePattern(light) => app.choose_pattern(ctx, Some(light)),
+            Self::ReplacePhotometry(light) => app.choose_photometry(ctx, Some(light)),
             Self::EditPattern => session.wants_painter = true,
             Self::InsertPreset(preset) => app.insert_preset(preset),
             Self::InsertFile(path) => app.insert_file(&path),

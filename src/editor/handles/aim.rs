@@ -10,7 +10,7 @@ use crate::editor::tools::work_plane::snapped_to;
 use crate::editor::viewport::pick::Solids;
 use crate::editor::viewport::projection::Projection;
 use crate::editor::viewport::ray::Ray;
-use crate::light::{Emitter, Light, Shape};
+use crate::light::{Emitter, Light, Point, Shape};
 use crate::math::frame;
 
 /// Distance of the handle that aims a light, where it lies beyond the arrows that move it, screen points.
@@ -22,7 +22,7 @@ const LEAST_TILT: f64 = 0.02;
 
 /// Whether a light shines differently after it has been turned.
 pub fn can_aim(light: &Light) -> bool {
-    !matches!(light.shape, Shape::Sphere(_) | Shape::Point(_))
+    !matches!(light.shape, Shape::Sphere(_) | Shape::Point(Point { ies: None }))
 }
 
 /// Whether a light fills directions and has no place.

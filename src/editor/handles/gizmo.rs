@@ -62,12 +62,17 @@ fn turns(subject: &Subject, frame: &Frame, axis: DVec3) -> bool {
     }
     let own = subject.rotation();
     let round_about = match subject {
-        Subject::Light(light) => match light.shape {
-            light::Shape::Sphere(_) | light::Shape::Point(_) => return false,
-            light::Shape::Line(_) => own.x_axis,
-            light::Shape::Disk(_) | light::Shape::Cap(_) | light::Shape::Sky(_) | light::Shape::Directional(_) => {
-                own.z_axis
+        Subject::Light(light) => match &light.shape {
+            light::Shape::Sphere(_) | light::Shape::Point(light::Point { ies: None }) => return false,
+            light::Shape::Point(light::Point { ies: Some(file) }) if file.distribution.planes().len() > 1 => {
+                return true;
             }
+            light::Shape::Line(_) => own.x_axis,
+            light::Shape::Point(_)
+            | light::Shape::Disk(_)
+            | light::Shape::Cap(_)
+            | light::Shape::Sky(_)
+            | light::Shape::Directional(_) => own.z_axis,
             light::Shape::Polygon(_) | light::Shape::Textured(_) => return true,
         },
         Subject::Surface(surface) => match surface.shape {

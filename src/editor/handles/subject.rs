@@ -86,7 +86,11 @@ impl Subject {
     /// The same thing turned by `turn`; what looks the same from all sides stays as it is.
     pub fn turned_by(mut self, turn: DMat3) -> Self {
         match &mut self {
-            Self::Light(light) if matches!(light.shape, light::Shape::Sphere(_) | light::Shape::Point(_)) => self,
+            Self::Light(light)
+                if matches!(light.shape, light::Shape::Sphere(_) | light::Shape::Point(light::Point { ies: None })) =>
+            {
+                self
+            }
             Self::Probe(plot) => {
                 plot.normal = tidied(turn * plot.normal);
                 plot.axis = tidied(turn * plot.axis);

@@ -221,6 +221,7 @@ pub(super) fn light_icon(kind: LightKind) -> MaterialIcon {
         LightKind::Cap => icons::ICON_WB_TWILIGHT,
         LightKind::Sky => icons::ICON_CLOUD,
         LightKind::Point => icons::ICON_FLARE,
+        LightKind::Measured => icons::ICON_TRACK_CHANGES,
         LightKind::Directional => icons::ICON_SUNNY,
     }
 }

@@ -146,6 +146,25 @@ fn a_files_light_is_the_lights_own_far_away() {
 }
 
 #[test]
+fn every_preset_light_that_has_candela_is_read_back() {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("presets/lights");
+    let files = folder.read_dir().expect("there are presets").map(|entry| entry.expect("a preset").path());
+    let mut presets: Vec<_> = files.filter(|path| path.extension().is_some_and(|end| end == "toml")).collect();
+    presets.sort();
+    let held = |light: &Light| what_is_lost(light).is_none();
+    let mut count = 0;
+    for path in presets {
+        let lights = crate::scene::load(&path).expect("the preset loads").lights;
+        let lights: Vec<Light> = lights.into_iter().filter(held).collect();
+        if !lights.is_empty() {
+            check_read_back(&lights);
+            count += 1;
+        }
+    }
+    assert!(count >= 20, "only {count} presets");
+}
+
+#[test]
 fn several_lights_are_one_luminaire() {
     let [mut first, mut second] = [light("first", rectangle(false)), light("second", textured())];
     second.position.x += 1.0;

@@ -4,7 +4,7 @@ use egui::Ui;
 
 use super::fields::{Fields, Number};
 use super::lights::Lights;
-use super::{emission, pattern, vertices};
+use super::{emission, pattern, photometry, vertices};
 use crate::light::{Light, Line, LineEmission, Polygon, Shape, Sky};
 
 /// Skies that have a name, and what they are.
@@ -76,7 +76,12 @@ fn shape_of_one(ui: &mut Ui, fields: &mut Fields<'_>, lights: &Lights, light: &L
         Shape::Polygon(polygon) => fields.derived(ui, "Area", &format!("{:.4} m²", Polygon::area(polygon))),
         Shape::Textured(textured) => pattern::row(ui, fields, &light.name, &textured.pattern),
         Shape::Sky(sky) => sky_rows(ui, fields, lights, *sky),
-        Shape::Point(_) => fields.derived(ui, "Extent", "none, a point"),
+        Shape::Point(point) => {
+            fields.derived(ui, "Extent", "none, a point");
+            if let Some(file) = &point.ies {
+                photometry::row(ui, fields, &light.name, file);
+            }
+        }
         Shape::Directional(_) => fields.derived(ui, "Extent", "parallel light along −Z"),
         Shape::Line(_) | Shape::Sphere(_) | Shape::Disk(_) | Shape::Cap(_) => {}
     }

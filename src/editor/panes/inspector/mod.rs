@@ -6,6 +6,7 @@ mod light;
 mod lights;
 mod material;
 mod pattern;
+mod photometry;
 mod plot;
 mod scene;
 mod surface;

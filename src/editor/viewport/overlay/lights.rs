@@ -8,7 +8,7 @@ use crate::editor::session::{Item, Selection};
 use crate::editor::viewport::pick::{SYMBOL, Solids, closed, outline};
 use crate::editor::viewport::projection::Projection;
 use crate::editor::viewport::symbol::Symbol;
-use crate::light::{Emitter, Light, LineEmitter, Shape, SphereEmitter};
+use crate::light::{Emitter, Light, LineEmitter, PointEmitter, Shape, SphereEmitter};
 use crate::math::frame;
 use crate::scene::Scene;
 
@@ -105,7 +105,10 @@ impl Painted<'_> {
             Emitter::Cap(_) | Emitter::Sky(_) => self.far(light, look),
             Emitter::Line(line) => self.line(line, look.stroke),
             Emitter::Sphere(sphere) => self.sphere(sphere, look.stroke),
-            Emitter::Point(point) => self.point(point.position, look.stroke),
+            Emitter::Point(point) => {
+                self.web(point, look.stroke);
+                self.point(point.position, look.stroke)
+            }
             Emitter::Directional(directional) => self.parallel(light, directional.to_light, look),
         }
     }
@@ -235,6 +238,26 @@ impl Painted<'_> {
             self.painter.line_segment([at + 6.5 * direction, at + (SYMBOL - 1.5) * direction], stroke);
         }
         Some(at - vec2(0.0, SYMBOL))
+    }
+
+    /// Measured intensities, as curves in the planes C = 0 and 90 about the point, of one size on screen.
+    fn web(&self, point: &PointEmitter, stroke: Stroke) {
+        const SIZE: f64 = 64.0;
+        const STEPS: u32 = 72;
+        let Some(web) = &point.web else { return };
+        let size = SIZE * self.projection.metres_per_point(point.position);
+        let axes = web.light_from_world.transpose();
+        let thin = Stroke::new(1.0, stroke.color.gamma_multiply(0.7));
+        for side in [axes.x_axis, axes.y_axis] {
+            let place = |i: u32| {
+                let (sine, cosine) = (std::f64::consts::TAU * f64::from(i) / f64::from(STEPS)).sin_cos();
+                let direction = sine * side - cosine * axes.z_axis;
+                point.position + size * point.intensity(direction) * direction
+            };
+            for i in 0..STEPS {
+                line(place(i), place(i + 1), thin, self.projection, self.painter);
+            }
+        }
     }
 
     /// The point that is highest on screen.
