@@ -15,7 +15,7 @@ from softbox import Softbox
 
 # Targets whose light is rendered, and those whose files are read, with their extensions; each has a module with_TARGET.
 RENDERED = {"mitsuba": "xml", "radiance": "rad", "blender": "py"}
-READ = RENDERED
+READ = {**RENDERED, "gltf": "gltf"}
 CHECKS = [*RENDERED, "looks", *(f"{target}-presets" for target in READ)]
 
 

@@ -1,6 +1,7 @@
 //! `softbox export`: what leaves the program.
 
 use std::io::{self, Write as _};
+use std::num::ParseFloatError;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, bail};
@@ -10,6 +11,7 @@ use super::{Outcome, files, progress};
 use crate::export::{ExportError, Exported, Job, Options, Target, export, preflight};
 use crate::render::MethodChoice;
 use crate::scene::{self, Scene};
+use crate::shading::fit::{Budget, COUNTS};
 
 /// Write a scene, or some of its lights, for other programs, and say what becomes of each thing on the way.
 ///
@@ -19,7 +21,7 @@ use crate::scene::{self, Scene};
 pub(super) struct Args {
     /// Scene file.
     scene: PathBuf,
-    /// What to write: mitsuba, radiance, blender, ies, json, csv, svg, png or exr; what the output's extension says
+    /// What to write: gltf, mitsuba, radiance, blender, ies, json, csv, svg, png or exr; what the output's extension says
     /// where it is not given.
     #[arg(short, long, value_name = "FORMAT")]
     to: Option<Target>,
@@ -44,6 +46,20 @@ pub(super) struct Args {
     /// Of pictures: width and height in pixels.
     #[arg(short, long, default_value = "960x540", value_name = "WxH")]
     size: Size,
+    /// Of glTF: how many punctual lights stand for a light, at most.
+    #[arg(long, default_value_t = 4, value_name = "N",
+          value_parser = clap::value_parser!(u32).range(i64::from(*COUNTS.start())..=i64::from(*COUNTS.end())))]
+    punctual: u32,
+    /// Of glTF: take as few punctual lights as keep the worst error below so many per cent of the greatest illuminance.
+    #[arg(long, value_name = "PERCENT", conflicts_with = "punctual", value_parser = percent)]
+    punctual_error: Option<f64>,
+}
+
+/// A percentage above 0.
+fn percent(text: &str) -> Result<f64, String> {
+    let value: f64 =
+        text.trim_end_matches('%').trim().parse().map_err(|cause: ParseFloatError| format!("`{text}`: {cause}"))?;
+    if value > 0.0 && value.is_finite() { Ok(value) } else { Err("it must be above 0".to_owned()) }
 }
 
 /// Export, and write all files or none.
@@ -93,6 +109,7 @@ fn exported(
 ) -> Result<Exported, ExportError> {
     let stem = args.output.as_ref().unwrap_or(&args.scene).file_stem().unwrap_or_default().to_string_lossy();
     let scene_name = args.scene.file_name().unwrap_or_default().to_string_lossy();
+    let punctual = args.punctual_error.map_or(Budget::Count(args.punctual), |percent| Budget::Worst(0.01 * percent));
     let job = Job {
         scene,
         scene_name: &scene_name,
@@ -100,7 +117,7 @@ fn exported(
         target,
         lights: Some(args.light.as_slice()).filter(|names| !names.is_empty()),
         surfaces: !args.no_surfaces,
-        options: Options { method: args.method, size: args.size.0 },
+        options: Options { method: args.method, size: args.size.0, punctual },
     };
     let steps = match target {
         Target::Png | Target::Exr => args.size.0.map(u64::from).iter().product(),

@@ -24,7 +24,13 @@ pub(super) fn even_scale(placed: &Placed) -> Option<f64> {
 
 /// The triangles of a surface's part in the world, fronts outward.
 pub(super) fn facets(placed: &Placed) -> Vec<Triangle> {
-    let local = match *placed.primitive() {
+    let to_world = |triangle: &Triangle| triangle.transformed(placed.world_from_local());
+    local_facets(placed.primitive()).iter().map(to_world).collect()
+}
+
+/// The triangles of a primitive in its own frame, fronts outward.
+pub(super) fn local_facets(primitive: &Primitive) -> Vec<Triangle> {
+    match *primitive {
         Primitive::Plane => square(DVec2::splat(PLANE_REACH)),
         Primitive::Square { size } => square(0.5 * size),
         Primitive::Box { size } => cuboid(0.5 * size),
@@ -43,8 +49,7 @@ pub(super) fn facets(placed: &Placed) -> Vec<Triangle> {
         }
         Primitive::Patch(ref patch) => patch.triangles(patch.fineness(PATCH_SHARE)),
         Primitive::Triangle(triangle) => vec![triangle],
-    };
-    local.iter().map(|triangle| triangle.transformed(placed.world_from_local())).collect()
+    }
 }
 
 /// The halves of a parallelogram, counter-clockwise from its first corner.

@@ -7,6 +7,7 @@ use super::preflight::{Fate, Remark, lines};
 use crate::light::Light;
 use crate::render::MethodChoice;
 use crate::scene::{Scene, suggestion};
+use crate::shading::fit::Budget;
 
 /// What to export.
 #[derive(Clone, Copy, Debug)]
@@ -34,11 +35,13 @@ pub struct Options {
     pub method: MethodChoice,
     /// Width and height in pixels: pictures.
     pub size: [u32; 2],
+    /// How many punctual lights stand for a light: glTF.
+    pub punctual: Budget,
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Self { method: MethodChoice::default(), size: [960, 540] }
+        Self { method: MethodChoice::default(), size: [960, 540], punctual: Budget::default() }
     }
 }
 

@@ -10,6 +10,7 @@ pub mod error_map;
 pub mod exr;
 mod facets;
 mod gloss;
+mod gltf;
 mod ies;
 mod job;
 mod json;
@@ -36,6 +37,7 @@ use crate::render::Progress;
 /// Where a light is not in the scene, the target can hold nothing of it, or the work is cancelled.
 pub fn export(job: &Job, progress: &Progress) -> Result<Exported, ExportError> {
     match job.target {
+        Target::Gltf => gltf::write(job, progress),
         Target::Mitsuba => mitsuba::write(job, progress),
         Target::Radiance => radiance::write(job, progress),
         Target::Blender => blender::write(job, progress),

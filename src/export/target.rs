@@ -6,6 +6,8 @@ use std::str::FromStr;
 /// A format that a scene leaves the program in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Target {
+    /// Lights by `KHR_lights_punctual`, surfaces as meshes.
+    Gltf,
     /// A scene of Mitsuba 3's.
     Mitsuba,
     /// A scene of Radiance's.
@@ -28,7 +30,8 @@ pub enum Target {
 
 impl Target {
     /// All of them, as lists show them.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 10] = [
+        Self::Gltf,
         Self::Mitsuba,
         Self::Radiance,
         Self::Blender,
@@ -43,6 +46,7 @@ impl Target {
     /// The name on the command line.
     pub fn name(self) -> &'static str {
         match self {
+            Self::Gltf => "gltf",
             Self::Mitsuba => "mitsuba",
             Self::Radiance => "radiance",
             Self::Blender => "blender",
@@ -61,13 +65,14 @@ impl Target {
             Self::Mitsuba => "xml",
             Self::Radiance => "rad",
             Self::Blender => "py",
-            Self::Ies | Self::Json | Self::Csv | Self::Svg | Self::Png | Self::Exr => self.name(),
+            Self::Gltf | Self::Ies | Self::Json | Self::Csv | Self::Svg | Self::Png | Self::Exr => self.name(),
         }
     }
 
     /// What it is, in a few words.
     pub fn title(self) -> &'static str {
         match self {
+            Self::Gltf => "glTF: fitted punctual lights, and meshes",
             Self::Mitsuba => "Mitsuba 3: a scene, as XML",
             Self::Radiance => "Radiance: a scene",
             Self::Blender => "Blender: a script that builds the scene",

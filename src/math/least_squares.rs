@@ -83,15 +83,15 @@ fn damped_step(normal: &[Vec<f64>], gradient: &[f64], free: &[usize], damping: f
         let mut next = row.clone();
         // What no residual depends on must not make the matrix singular.
         next[i] += damping * row[i] + 1e-14 * largest;
-        for j in 0..i {
-            next[j] = (next[j] - dot(&next[..j], &factor[j][..j])) / factor[j][j];
+        for (j, known) in factor.iter().enumerate() {
+            next[j] = (next[j] - dot(&next[..j], &known[..j])) / known[j];
         }
         next[i] = (next[i] - square(&next[..i])).max(1e-16 * largest).sqrt();
         factor.push(next);
     }
     let mut step: Vec<f64> = free.iter().map(|i| -gradient[*i]).collect();
-    for i in 0..count {
-        step[i] = (step[i] - dot(&factor[i][..i], &step[..i])) / factor[i][i];
+    for (i, row) in factor.iter().enumerate() {
+        step[i] = (step[i] - dot(&row[..i], &step[..i])) / row[i];
     }
     for i in (0..count).rev() {
         let above: f64 = (i + 1..count).map(|j| factor[j][i] * step[j]).sum();

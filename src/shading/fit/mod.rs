@@ -173,21 +173,38 @@ fn deviation(receivers: &[Receiver], lights: &[Punctual]) -> Deviation {
 /// Fits that are kept.
 const REMEMBERED: usize = 64;
 
-/// The fit of a canonical light, from the last ones or made now; none when cancelled.
+/// A fit that is kept.
+struct Remembered {
+    key: Key,
+    count: u32,
+    solution: Arc<Solution>,
+}
+
+/// The fit of a canonical light, from the last ones or made now; none when cancelled. Nobody waits for another's fit.
 fn remembered(canonical: &Canonical, count: u32, cancel: Option<&AtomicBool>) -> Option<Arc<Solution>> {
-    static FITS: Mutex<Vec<(Key, u32, Arc<Solution>)>> = Mutex::new(Vec::new());
-    let mut fits = FITS.lock().unwrap_or_else(PoisonError::into_inner);
-    let entry = match fits.iter().position(|(key, known, _)| *known == count && *key == canonical.key) {
-        Some(i) => fits.remove(i),
-        None => {
-            let solution = Solution { lights: solve(canonical, count, cancel)?, ..Solution::default() };
-            (canonical.key.clone(), count, Arc::new(solution))
-        }
-    };
-    let solution = Arc::clone(&entry.2);
-    fits.push(entry);
+    static FITS: Mutex<Vec<Remembered>> = Mutex::new(Vec::new());
+    let fits = || FITS.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some(solution) = recalled(&mut fits(), canonical, count) {
+        return Some(solution);
+    }
+    let lights = solve(canonical, count, cancel)?;
+    let mut fits = fits();
+    if let Some(solution) = recalled(&mut fits, canonical, count) {
+        return Some(solution);
+    }
+    let solution = Arc::new(Solution { lights, ..Solution::default() });
+    fits.push(Remembered { key: canonical.key.clone(), count, solution: Arc::clone(&solution) });
     let excess = fits.len().saturating_sub(REMEMBERED);
     fits.drain(..excess);
+    Some(solution)
+}
+
+/// The fit of a canonical light, if it is known; it is then the last that was used.
+fn recalled(fits: &mut Vec<Remembered>, canonical: &Canonical, count: u32) -> Option<Arc<Solution>> {
+    let found = fits.iter().position(|known| known.count == count && known.key == canonical.key)?;
+    let known = fits.remove(found);
+    let solution = Arc::clone(&known.solution);
+    fits.push(known);
     Some(solution)
 }
 

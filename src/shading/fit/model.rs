@@ -298,9 +298,9 @@ impl Residuals for Search<'_> {
                 self.receivers.iter().flat_map(|receiver| receiver.share(light)).collect()
             };
             let here = shares(&model.light(own));
-            for i in 0..own.len() {
+            for (i, now) in own.iter().enumerate() {
                 let mut moved = own.to_vec();
-                let step = if own[i] + STEP > self.start.bounds[first + i][1] { -STEP } else { STEP };
+                let step = if now + STEP > self.start.bounds[first + i][1] { -STEP } else { STEP };
                 moved[i] += step;
                 let there = shares(&model.light(&moved));
                 columns.push(there.iter().zip(&here).map(|(there, here)| (there - here) / step).collect());
