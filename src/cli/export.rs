@@ -131,18 +131,8 @@ fn exported(
     progress::with_bar(steps, progress, || export(&job, progress))
 }
 
-/// The main file under the name asked for, and the others in its folder, all or none; it comes last, as it names them.
+/// The main file under the name asked for, and the others in its folder, all or none.
 fn write(exported: &Exported, output: &Path) -> anyhow::Result<()> {
-    let mut files: Vec<_> = exported
-        .files
-        .iter()
-        .enumerate()
-        .map(|(i, file)| {
-            let path = if i == 0 { output.to_owned() } else { output.with_file_name(&file.name) };
-            (path, file.bytes.as_slice())
-        })
-        .collect();
-    files.reverse();
-    scene::replace_files(&files)
+    scene::replace_files(&exported.placed(output))
         .map_err(|(path, cause)| anyhow::Error::new(cause).context(format!("{}: cannot be written", path.display())))
 }

@@ -3,11 +3,12 @@
 use std::path::Path;
 
 use egui::{CentralPanel, Frame, Margin, Panel, Ui, ViewportCommand};
-use egui_tiles::{Tile, Tree};
+use egui_tiles::Tree;
 
 use super::commands::{self, Command};
 use super::dialogs::Dialogs;
 use super::drops;
+use super::exporting::Exporting;
 use super::files::{Files, Then};
 use super::folders::Folders;
 use super::library::thumbnails::Thumbnails;
@@ -37,6 +38,8 @@ pub struct App {
     layout: Tree<Pane>,
     views: Views,
     messages: Messages,
+    /// The open export dialog.
+    pub(super) exporting: Option<Exporting>,
     keys: Option<Keys>,
     palette: Option<Palette>,
     recovery: Recovery,
@@ -72,6 +75,7 @@ impl App {
                 ..Views::default()
             },
             messages: Messages::default(),
+            exporting: None,
             keys: None,
             palette: None,
             recovery,
@@ -92,7 +96,7 @@ impl App {
 
     /// Bring a pane to the front of its tabs.
     pub fn show_pane(&mut self, pane: Pane) {
-        self.layout.make_active(|_, tile| matches!(tile, Tile::Pane(other) if *other == pane));
+        panes::reveal(&mut self.layout, pane);
     }
 
     /// The curves that have been asked for, and those that have been shown.
@@ -103,6 +107,7 @@ impl App {
     /// Whether work is under way, off this thread, that will change what is shown.
     pub fn is_busy(&self) -> bool {
         self.files.is_waiting()
+            || self.exporting.as_ref().is_some_and(Exporting::is_busy)
             || self.views.plots.is_busy()
             || self.views.thumbnails.is_busy()
             || self.recovery.is_busy()
@@ -144,7 +149,8 @@ impl App {
             self.files.guard = Some(Then::Quit);
         }
         self.poll_dialogs(ctx);
-        if self.files.guard.is_none() && self.offers.is_empty() {
+        self.poll_writing();
+        if self.files.guard.is_none() && self.offers.is_empty() && self.exporting.is_none() {
             commands::run_shortcuts(self, ctx);
         }
         if let Some(failure) = self.recovery.update(ctx, &self.session) {
@@ -163,8 +169,14 @@ impl App {
         chosen
     }
 
-    fn status(&self, ui: &mut Ui) {
+    fn status(&mut self, ui: &mut Ui) {
         ui.horizontal(|ui| {
+            if let Some(name) = self.files.written() {
+                ui.colored_label(theme::accent(ui.visuals()), format!("Exporting {name}…"));
+                if ui.small_button("Cancel export").on_hover_text("Nothing of it is left").clicked() {
+                    self.files.cancel_writing();
+                }
+            }
             ui.label(if self.session.hint.is_empty() { "Ready" } else { self.session.hint.as_str() });
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                 let scene = self.session.scene();
@@ -203,6 +215,14 @@ impl App {
             }
         }
         self.ask_recover(ctx);
+        if let Some(exporting) = &mut self.exporting {
+            match panes::ask_export(ctx, exporting, &self.session) {
+                Some(true) => self.order_export(ctx),
+                Some(false) => self.exporting = None,
+                // What was changed is looked at in the same frame: there may be no other.
+                None => exporting.update(ctx, &self.session),
+            }
+        }
         if self.keys.as_mut().is_some_and(|keys| keys.show(ctx, &self.session)) {
             self.keys = None;
         }
@@ -267,12 +287,11 @@ impl eframe::App for App {
         let shown_hint = std::mem::take(&mut self.session.hint);
         chosen.extend(self.panes(ui));
         chosen.append(&mut self.session.asked);
+        if !chosen.is_empty() {
+            ctx.request_repaint();
+        }
         for command in chosen {
             command.run(self, &ctx);
-        }
-        if std::mem::take(&mut self.session.wants_painter) {
-            panes::reveal(&mut self.layout, Pane::Painter);
-            ctx.request_repaint();
         }
         self.overlays(&ctx);
         self.update_title(&ctx);

@@ -17,9 +17,9 @@ use crate::surface::{self, Material, Mesh, ReflectionModel, Surface};
 const COPY_OFFSET: DVec3 = DVec3::new(0.25, 0.25, 0.0);
 
 impl Session {
-    /// Add a light called after its shape, select it, and say so in the undo menu.
+    /// Add a light called after what it is, select it, and say so in the undo menu.
     pub fn add_light(&mut self, mut light: Light) {
-        let label = format!("Add {}", light.shape.name());
+        let label = format!("Add {}", light.name);
         light.name = unique_name(self.scene().lights.iter().map(|other| &other.name), &light.name);
         scene::keep_apart(&mut light, self.scene().all_lights());
         let index = self.scene().lights.len();
@@ -262,7 +262,8 @@ pub(super) fn measured(photometry: Photometry) -> Light {
     Light { name, ..new_light(Shape::Point(Point { ies: Some(photometry) })) }
 }
 
-/// The pattern of a new textured light: bright in the middle and darker towards the rim, as a softbox is.
+/// The pattern of a new textured light: bright in the middle and darker towards the rim, as a softbox is. Like one that
+/// was painted, it gets its file when the scene is saved.
 pub(super) fn softbox_pattern() -> Pattern {
     static PATTERN: LazyLock<Pattern> = LazyLock::new(|| {
         const SIDE: u32 = 64;
@@ -273,8 +274,9 @@ pub(super) fn softbox_pattern() -> Pattern {
         });
         let mut bytes = std::io::Cursor::new(Vec::new());
         falloff.write_to(&mut bytes, image::ImageFormat::Png).expect("grey bytes are a PNG picture");
-        let file = "textures/softbox-falloff.png";
-        scene::pattern_of_bytes(file, bytes.into_inner()).expect("what was just written is a picture")
+        let file = "softbox-falloff.png";
+        let read = scene::pattern_of_bytes(file, bytes.into_inner()).expect("what was just written is a picture");
+        scene::painted_pattern(read.image, &Pattern::unread(file), None)
     });
     PATTERN.clone()
 }

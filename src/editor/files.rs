@@ -5,12 +5,15 @@ use std::path::{Path, PathBuf};
 use super::app::App;
 use super::dialogs::{Answer, Reply};
 use super::edits;
+use super::exporting::{Form, Ordered, with_extension};
+use super::jobs::Errand;
 use super::presets::Preset;
 use super::recovery::Offer;
 use super::session::{Notice, Session};
 use crate::analysis::Sheet;
 use crate::export::plot::PlotFormat;
 use crate::import::usda;
+use crate::render::Progress;
 use crate::scene::{self, History, Scene};
 use crate::surface::Shape;
 
@@ -39,6 +42,10 @@ pub struct Files {
     pub recent: Vec<PathBuf>,
     /// The document is modified, and the user must say whether to save it before this.
     pub guard: Option<Then>,
+    /// What the export dialog asked for last.
+    pub last_export: Option<Form>,
+    /// Exports that are being written.
+    writing: Vec<Writing>,
     /// A dialog is open.
     waiting: Option<(Answer, Purpose)>,
     /// The window may close without asking again.
@@ -59,6 +66,15 @@ enum Purpose {
     Mesh(Option<String>),
     /// Write a plot.
     Plot(PlotFormat, Box<Sheet>),
+    /// Write an export.
+    Export(Box<Ordered>),
+}
+
+/// A file that is being written aside.
+#[derive(Debug)]
+struct Writing {
+    path: PathBuf,
+    errand: Errand<Result<(), String>>,
 }
 
 /// What to do where the desktop has no file dialogs.
@@ -71,9 +87,19 @@ impl Files {
         Self { recent, ..Self::default() }
     }
 
-    /// Whether a dialog is open.
+    /// Whether a dialog is open, or a file is being written.
     pub fn is_waiting(&self) -> bool {
-        self.waiting.is_some()
+        self.waiting.is_some() || !self.writing.is_empty()
+    }
+
+    /// The name of the export that is being written.
+    pub fn written(&self) -> Option<String> {
+        self.writing.first().map(|writing| name_of(&writing.path))
+    }
+
+    /// Stop writing exports; nothing of them is left.
+    pub fn cancel_writing(&mut self) {
+        self.writing.clear();
     }
 
     fn remember(&mut self, path: &Path) {
@@ -154,14 +180,45 @@ impl App {
             (Reply::Unavailable, _) => self.session.failed(NO_DIALOG),
             (Reply::Chosen(path), Purpose::Open) => self.open(&path),
             (Reply::Chosen(path), Purpose::Save(then)) => {
-                let path = if path.extension().is_none() { path.with_extension("toml") } else { path };
-                self.write(ctx, &path, then);
+                self.write(ctx, &with_extension(&path, "toml"), then);
             }
             (Reply::Chosen(path), Purpose::Pattern(light)) => self.use_pattern(&path, light.as_deref()),
             (Reply::Chosen(path), Purpose::Photometry(light)) => self.use_photometry(&path, light.as_deref()),
             (Reply::Chosen(path), Purpose::Mesh(surface)) => self.use_mesh(&path, surface.as_deref()),
-            (Reply::Chosen(path), Purpose::Plot(format, sheet)) => self.write_plot(path, format, &sheet),
+            (Reply::Chosen(path), Purpose::Plot(format, sheet)) => self.write_plot(ctx, &path, format, sheet),
+            (Reply::Chosen(path), Purpose::Export(ordered)) => self.write_export(ctx, &path, *ordered),
         }
+    }
+
+    /// Say what has been written aside, and what has not.
+    pub fn poll_writing(&mut self) {
+        self.files.writing.retain(|Writing { path, errand }| match errand.poll() {
+            None => true,
+            Some(Ok(())) => {
+                self.session.done(format!("Exported {}", path.display()));
+                false
+            }
+            Some(Err(error)) => {
+                self.session.failed(format!("{} was not exported: {error}", name_of(path)));
+                false
+            }
+        });
+    }
+
+    /// Write files aside; `path` is the main one.
+    pub(super) fn write_aside(
+        &mut self,
+        ctx: &egui::Context,
+        path: PathBuf,
+        write: impl FnOnce(&Progress) -> Result<(), String> + Send + 'static,
+    ) {
+        self.files.writing.push(Writing { path, errand: Errand::start(ctx, write) });
+    }
+
+    /// Ask where to write an export that would be called `name`.
+    pub(super) fn ask_where_to_export(&mut self, ctx: &egui::Context, name: &str, ordered: Ordered) {
+        let answer = self.dialogs.export(ctx, self.folder().as_deref(), name);
+        self.files.waiting = Some((answer, Purpose::Export(Box::new(ordered))));
     }
 
     /// Ask for a picture: for a new light, or for the light of that name.
@@ -218,15 +275,12 @@ impl App {
     }
 
     /// Write a plot whole, or not at all.
-    fn write_plot(&mut self, path: PathBuf, format: PlotFormat, sheet: &Sheet) {
-        let path = if path.extension().is_none() { path.with_extension(format.extension()) } else { path };
-        let bytes = format.write(std::slice::from_ref(sheet)).map_err(|error| error.to_string());
-        let written = bytes.and_then(|bytes| scene::replace_file(&path, &bytes).map_err(|error| error.to_string()));
-        let name = path.file_name().unwrap_or_default().to_string_lossy();
-        match written {
-            Ok(()) => self.session.done(format!("Exported {name}")),
-            Err(error) => self.session.failed(format!("{name} was not exported: {error}")),
-        }
+    fn write_plot(&mut self, ctx: &egui::Context, path: &Path, format: PlotFormat, sheet: Box<Sheet>) {
+        let path = with_extension(path, format.extension());
+        self.write_aside(ctx, path.clone(), move |_| {
+            let bytes = format.write(std::slice::from_ref(&*sheet)).map_err(|error| error.to_string())?;
+            scene::replace_file(&path, &bytes).map_err(|error| error.to_string())
+        });
     }
 
     /// Add the lights of a preset to the document.
@@ -332,6 +386,10 @@ impl App {
         let path = self.session.path.as_ref().or(self.files.recent.first())?;
         path.parent().filter(|folder| folder.is_dir()).map(Path::to_owned)
     }
+}
+
+fn name_of(path: &Path) -> String {
+    path.file_name().unwrap_or_default().to_string_lossy().into_owned()
 }
 
 /// What *New* starts with: a floor, a ball and a box, and no light yet.

@@ -1,8 +1,44 @@
-//! Work off the UI thread where only the latest request matters.
+//! Work off the UI thread: where only the latest request matters, and where each does.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::sync::{Arc, Condvar, Mutex, PoisonError};
+
+use crate::render::Progress;
+
+/// One piece of work on a thread of its own; it is told to stop when nobody waits for it any more.
+#[derive(Debug)]
+pub struct Errand<O> {
+    progress: Arc<Progress>,
+    answer: Receiver<O>,
+}
+
+impl<O: Send + 'static> Errand<O> {
+    /// Start `work`; the window is woken when it is done.
+    pub fn start(ctx: &egui::Context, work: impl FnOnce(&Progress) -> O + Send + 'static) -> Self {
+        let (sender, answer) = channel();
+        let progress = Arc::<Progress>::default();
+        let (theirs, ctx) = (Arc::clone(&progress), ctx.clone());
+        std::thread::spawn(move || {
+            // Nobody listens where it is not wanted any more.
+            if sender.send(work(&theirs)).is_ok() {
+                ctx.request_repaint();
+            }
+        });
+        Self { progress, answer }
+    }
+
+    /// What came of it, once.
+    pub fn poll(&self) -> Option<O> {
+        self.answer.try_recv().ok()
+    }
+}
+
+impl<O> Drop for Errand<O> {
+    fn drop(&mut self) {
+        self.progress.cancel();
+    }
+}
 
 /// A thread that answers the latest request, and drops what has been overtaken.
 ///
@@ -146,6 +182,20 @@ mod tests {
             std::thread::yield_now();
         }
         seen
+    }
+
+    #[test]
+    fn an_errand_that_nobody_waits_for_is_told_to_stop() {
+        let (sender, stopped) = channel();
+        let errand = Errand::start(&egui::Context::default(), move |progress| {
+            while !progress.is_cancelled() {
+                std::thread::yield_now();
+            }
+            sender.send(()).expect("the test listens");
+        });
+        assert_eq!(errand.poll(), None, "it goes on");
+        drop(errand);
+        stopped.recv_timeout(Duration::from_secs(10)).expect("it stops");
     }
 
     #[test]

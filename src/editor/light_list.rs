@@ -3,7 +3,8 @@
 use std::collections::BTreeSet;
 
 use super::session::{Item, Session};
-use crate::light::{Light, QuantityKind};
+use super::units::{self, Unit};
+use crate::light::Light;
 use crate::scene::Scene;
 
 /// A line of the list of lights.
@@ -244,11 +245,11 @@ pub fn scale_emission(scene: &mut Scene, lights: &[usize], factor: f64) {
     });
 }
 
-/// State what lights emit as `value` of `kind`; those that do not have it stay as they are.
-pub fn set_emission(scene: &mut Scene, lights: &[usize], kind: QuantityKind, value: f64) {
+/// State what lights emit as `value` of a unit; those that do not have it stay as they are.
+pub fn set_emission(scene: &mut Scene, lights: &[usize], unit: Unit, value: f64) {
     each(scene, lights, |light| {
-        if light.shape.quantity_kinds().contains(&kind) {
-            light.quantity = crate::light::Quantity::new(kind, value);
+        if let Some(stated) = units::stated(light, unit, value) {
+            *light = stated;
         }
     });
 }

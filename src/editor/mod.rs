@@ -7,6 +7,7 @@
 pub mod app;
 pub mod commands;
 pub mod dialogs;
+pub mod exporting;
 pub mod files;
 pub mod folders;
 pub mod fuzzy;
@@ -21,6 +22,7 @@ pub mod recovery;
 pub mod session;
 pub mod theme;
 pub mod tools;
+pub mod units;
 pub mod variants;
 pub mod viewport;
 pub mod views;

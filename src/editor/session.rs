@@ -156,8 +156,6 @@ pub struct Session {
     pub library_changed: bool,
     /// A pattern that is being painted.
     pub live: Option<LivePattern>,
-    /// The painter shall come to the front; the window takes the request.
-    pub wants_painter: bool,
     /// The pane under the pointer has keys of its own, which are not commands' keys there; set anew in every frame.
     pub pane_keys: bool,
     solo: BTreeSet<String>,
@@ -379,7 +377,6 @@ impl Session {
             under_pointer: None,
             library_changed: false,
             live: None,
-            wants_painter: false,
             pane_keys: false,
             solo: BTreeSet::new(),
             shown: Vec::new(),

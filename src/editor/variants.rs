@@ -91,12 +91,16 @@ impl Session {
         });
     }
 
-    /// Move a variant a place up or down.
-    pub fn move_variant(&mut self, index: usize, up: bool) {
-        let other = if up { index.checked_sub(1) } else { index.checked_add(1) };
-        if let Some(other) = other.filter(|other| (*other).max(index) < self.scene().variants.len()) {
-            self.edit("Move variant", |scene| scene.variants.swap(index, other));
+    /// Move a variant into the gap before the one at `gap`, counted before it moves; the last gap is after all.
+    pub fn move_variant(&mut self, index: usize, gap: usize) {
+        let stays = gap == index || gap == index + 1;
+        if stays || index.max(gap.saturating_sub(1)) >= self.scene().variants.len() {
+            return;
         }
+        self.edit("Move variant", |scene| {
+            let variant = scene.variants.remove(index);
+            scene.variants.insert(if gap > index { gap - 1 } else { gap }, variant);
+        });
     }
 
     fn variant_name(&self, index: usize) -> Option<String> {
@@ -172,7 +176,7 @@ mod tests {
             session.store_variant();
         }
         session.view.variant = Some(1);
-        session.move_variant(1, true);
+        session.move_variant(1, 0);
         assert_eq!(session.view.variant, Some(0), "moved");
         session.rename_variant(0, "other");
         assert_eq!(session.view.variant, Some(0), "renamed");

@@ -50,6 +50,11 @@ impl ViewMode {
         }
     }
 
+    /// Whether colours stand for numbers, so that the picture may be white.
+    pub fn is_false_colour(self) -> bool {
+        matches!(self, Self::Difference | Self::Illuminance | Self::Bands)
+    }
+
     /// Whether it needs a second method.
     pub fn compares(self) -> bool {
         matches!(self, Self::Split | Self::Difference | Self::Bands)

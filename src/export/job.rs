@@ -1,6 +1,7 @@
 //! What is to be exported, and what comes of it.
 
 use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
 
 use super::Target;
 use super::preflight::{Fate, Remark, lines};
@@ -100,6 +101,16 @@ pub(super) struct Chosen {
 }
 
 impl Exported {
+    /// Where the files go: the main one to `output`, the others into its folder. The main one comes last, as it names
+    /// them.
+    pub fn placed(&self, output: &Path) -> Vec<(PathBuf, &[u8])> {
+        let placed = self.files.iter().enumerate().map(|(i, file)| {
+            let path = if i == 0 { output.to_owned() } else { output.with_file_name(&file.name) };
+            (path, file.bytes.as_slice())
+        });
+        placed.rev().collect()
+    }
+
     /// Whether something is not in the files.
     pub fn has_losses(&self) -> bool {
         self.remarks.iter().any(|remark| remark.fate == Fate::Lost)

@@ -13,32 +13,49 @@ const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba32Float;
 /// Bytes of a row.
 const ROW: u32 = PLACES[0] * 16;
 
-/// Numbers of some pixels, spread evenly over a picture; only of those that show a surface.
+/// Numbers of some pixels, in a grid spread evenly over a picture; those that show no surface have none.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Survey {
     places: Vec<[f32; 4]>,
 }
 
 impl Survey {
+    /// Columns and rows of the grid.
+    pub const SIDES: [usize; 2] = [PLACES[0] as usize, PLACES[1] as usize];
+
     /// Luminances by the view's method, cd/m².
     pub fn luminances(&self) -> impl Iterator<Item = f64> {
-        self.places.iter().map(|place| f64::from(place[0]))
+        self.seen().map(|place| f64::from(place[0]))
     }
 
     /// Illuminances by the view's method, lx.
     pub fn illuminances(&self) -> impl Iterator<Item = f64> {
-        self.places.iter().map(|place| f64::from(place[1]))
+        self.seen().map(|place| f64::from(place[1]))
     }
 
     /// Luminances by the view's method and by the other one, cd/m²; the same where there is none.
     pub fn compared_luminances(&self) -> impl Iterator<Item = [f64; 2]> {
-        self.places.iter().map(|place| [place[0], place[2]].map(f64::from))
+        self.seen().map(|place| [place[0], place[2]].map(f64::from))
     }
 
     /// Illuminances by the view's method and by the other one, lx; the same where there is none.
     pub fn compared_illuminances(&self) -> impl Iterator<Item = [f64; 2]> {
-        self.places.iter().map(|place| [place[1], place[3]].map(f64::from))
+        self.seen().map(|place| [place[1], place[3]].map(f64::from))
     }
+
+    /// Illuminance by the view's method at a place of the grid, lx; none off the grid, or where no surface is seen.
+    pub fn illuminance(&self, column: usize, row: usize) -> Option<f64> {
+        let index = (column < Self::SIDES[0]).then_some(row * Self::SIDES[0] + column)?;
+        self.places.get(index).filter(|place| is_surface(place)).map(|place| f64::from(place[1]))
+    }
+
+    fn seen(&self) -> impl Iterator<Item = &[f32; 4]> {
+        self.places.iter().filter(|place| is_surface(place))
+    }
+}
+
+fn is_surface(place: &[f32; 4]) -> bool {
+    place[0] >= 0.0
 }
 
 /// The value that a share of `values` lie below; none of no values.
@@ -115,8 +132,19 @@ impl Pending {
     /// What was found; nothing where the device was lost.
     pub(crate) fn survey(&self) -> Survey {
         let Ok(range) = self.buffer.slice(..).get_mapped_range() else { return Survey::default() };
-        let places: Vec<[f32; 4]> = bytemuck::pod_collect_to_vec(&range);
-        Survey { places: places.into_iter().filter(|place| place[0] >= 0.0).collect() }
+        Survey { places: bytemuck::pod_collect_to_vec(&range) }
+    }
+}
+
+#[cfg(test)]
+impl Survey {
+    /// A survey of nothing but illuminance, lx, by column and row.
+    pub(crate) fn of_illuminance(lux: impl Fn(usize, usize) -> Option<f64>) -> Self {
+        let [columns, rows] = Self::SIDES;
+        let cells = (0..rows).flat_map(|row| (0..columns).map(move |column| (column, row)));
+        #[expect(clippy::cast_possible_truncation, reason = "as on the GPU")]
+        let place = |(column, row)| lux(column, row).map_or([-1.0; 4], |lux| [0.0, lux as f32, 0.0, 0.0]);
+        Self { places: cells.map(place).collect() }
     }
 }
 

@@ -129,6 +129,9 @@ fn every_tool_makes_its_light_and_the_saved_file_has_it() {
     window.click_at([-1.2, -1.0, 2.0]);
     window.click_at([-1.2, -0.8, 2.0]);
 
+    // A file that is not the scene's has the name of the pattern already.
+    std::fs::create_dir(window.path("scene.patterns")).expect("a folder");
+    std::fs::write(window.path("scene.patterns/softbox-falloff.png"), "of somebody else").expect("a file");
     let saved = window.saved();
     assert_eq!(saved, *window.scene(), "the file holds the document");
     check_corners(find(&saved, "polygon"), &polygon, 1e-9);
@@ -140,6 +143,7 @@ fn every_tool_makes_its_light_and_the_saved_file_has_it() {
     let Shape::Textured(rectangle) = &textured.shape else { panic!("a textured light") };
     assert!(rectangle.size.distance(DVec2::new(1.2, 0.4)) < 1e-9, "{}", rectangle.size);
     assert!(textured.position.distance(DVec3::new(-0.2, -1.0, 2.0)) < 1e-9, "{}", textured.position);
+    assert_eq!(rectangle.pattern.file, "scene.patterns/softbox-falloff-2.png", "the next free name");
     let [width, height] = rectangle.pattern.image.channels()[0].size();
     assert!(width > 8 && height > 8, "its pattern has {width} x {height} texels");
     let star = corners(find(&saved, "star"));
@@ -147,7 +151,7 @@ fn every_tool_makes_its_light_and_the_saved_file_has_it() {
     assert!(star.iter().any(|p| p.distance(DVec3::new(0.8, 0.8, 2.0)) < 1e-6), "one where it was dragged to");
     let Shape::Disk(disk) = &find(&saved, "disk").shape else { panic!("a disk") };
     assert!((disk.radius - 0.2).abs() < 1e-9, "radius {}", disk.radius);
-    window.check_all_undone(&["Add disk", "Add polygon", "Add textured", "Add sphere", "Add line", "Add polygon"]);
+    window.check_all_undone(&["Add disk", "Add star", "Add textured", "Add sphere", "Add line", "Add polygon"]);
 }
 
 #[test]
@@ -219,7 +223,7 @@ fn lights_are_drawn_on_upright_planes_and_on_surfaces() {
         assert!((p.y - 0.09).abs() < 1e-9, "off the front: {p}");
     }
     assert_eq!(window.saved(), *window.scene(), "the file holds the document");
-    window.check_all_undone(&["Add polygon", "Add polygon"]);
+    window.check_all_undone(&["Add rectangle", "Add rectangle"]);
 }
 
 #[test]
@@ -266,7 +270,7 @@ fn a_letter_with_a_hole_is_one_light() {
     let heights = corners(&light).into_iter().map(|p| p.z);
     let (low, high) = heights.fold((f64::MAX, f64::MIN), |(low, high), z| (low.min(z), high.max(z)));
     assert!((low - 0.4).abs() < 2e-4 && (high - 1.6).abs() < 2e-4, "from {low} to {high}");
-    window.check_all_undone(&["Add polygon"]);
+    window.check_all_undone(&["Add letter R"]);
 }
 
 #[test]
@@ -311,6 +315,15 @@ fn the_bar_of_a_tool_shows_its_plane_and_what_it_makes() {
     window.hover_over([1.5, 0.1, 0.8]);
     window.picture("draw_on_surface");
     assert_eq!(window.session().tool, Tool::Textured, "still drawing");
+
+    window.key(Modifiers::NONE, Key::Escape);
+    window.menu(&["Add", "Outline", "Star"]);
+    window.harness.set_size(vec2(900.0, 700.0));
+    window.settle();
+    for name in ["Work plane", "Flip lit side", "Outline", "Points of the star", "Grid spacing", "Snap to corners"] {
+        let rect = window.get(name).rect();
+        assert!(rect.right() <= 900.0, "{name} is cut off at {}", rect.right());
+    }
 }
 
 /// A rectangular light seen well from above.

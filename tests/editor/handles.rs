@@ -1,13 +1,16 @@
 //! Handles, aiming and placing, and the probe, as a designer uses them.
 
 use egui::{Event, Key, Modifiers, Pos2, vec2};
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable;
 use glam::DVec3;
 use softbox::editor::handles::frame::{Axes, Pivot};
+use softbox::editor::handles::place::Place;
 use softbox::editor::viewport::projection::Projection;
 use softbox::editor::{Item, Tool};
 use softbox::light::Light;
 
-use super::viewport::{assert_near, press};
+use super::viewport::{Pane, assert_near, pane, press, test_scene_from_above};
 use super::window::Window;
 
 /// Length of the handles, screen points.
@@ -243,4 +246,32 @@ fn the_probe_and_its_normal_are_dragged_in_one_step_each() {
     let moved = window.scene().plots[0].normal;
     assert!(moved.dot(DVec3::NEG_Y) > 0.99, "else it takes that of the ball: {moved}");
     assert_eq!(window.steps_back(), ["Move probe", "Turn probe"], "one step each");
+}
+
+/// What is held down while the picture is taken.
+fn held(harness: &mut Harness<'_, Pane>, from: Pos2, to: Pos2) {
+    harness.hover_at(from);
+    harness.step();
+    press(harness, from, true, Modifiers::NONE);
+    harness.step();
+    harness.hover_at(from.lerp(to, 0.5));
+    harness.step();
+    harness.hover_at(to);
+    harness.run();
+}
+
+fn on_screen(harness: &Harness<'_, Pane>, p: DVec3) -> Pos2 {
+    let camera = harness.state().session.view.camera;
+    Projection::new(&camera, harness.get_by_label("Viewport").rect()).project(p).expect("in sight")
+}
+
+#[test]
+fn a_placed_highlight_shows_where_it_is_and_how_far_the_light() {
+    let mut harness = pane(test_scene_from_above(), vec2(640.0, 420.0));
+    harness.state_mut().session.selection.set([Item::Light(2)]);
+    harness.state_mut().session.tool = Tool::Place(Place::Highlight);
+    harness.run();
+    let to = on_screen(&harness, DVec3::new(0.1, -0.3, 0.9));
+    held(&mut harness, to - vec2(20.0, 0.0), to);
+    harness.snapshot("handles_place");
 }

@@ -3,6 +3,7 @@
 
 mod comfort;
 mod draw;
+mod export;
 mod files;
 mod gestures;
 mod handles;

@@ -180,7 +180,7 @@ fn every_tool_leaves_what_it_says() {
         "Fill",
         "Paint rectangle",
         "New pattern",
-        "Add textured",
+        "Add pattern",
     ];
     assert_eq!(steps, expected, "one step each");
 }
@@ -243,7 +243,7 @@ fn a_black_canvas_waits_for_something_that_shines() {
     let image = &pattern(&scene).image;
     assert_eq!(image.channels()[0].size(), [128, 128], "the new canvas");
     assert!(image.channels()[0].mean() < 0.2, "a stroke on black: {}", image.channels()[0].mean());
-    assert_eq!(window.steps_back(), ["Brush stroke", "Add textured"], "one step");
+    assert_eq!(window.steps_back(), ["Brush stroke", "Add pattern"], "one step");
 }
 
 #[test]

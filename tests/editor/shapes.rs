@@ -126,7 +126,7 @@ fn a_textured_light_is_made_of_a_picture_that_goes_along_when_the_scene_is_saved
     window.key(Modifiers::COMMAND, Key::S);
     let saved = scene::load(window.path("scene.toml")).expect("the scene and its pattern are there");
     assert_eq!(saved, *window.scene(), "what was saved");
-    assert_eq!(window.steps_back(), ["Replace pattern", "Change width", "Add textured"], "three steps");
+    assert_eq!(window.steps_back(), ["Replace pattern", "Change width", "Add stained-glass"], "three steps");
 }
 
 #[test]

@@ -197,7 +197,11 @@ fn auto_exposure_is_one_step_and_makes_the_bright_part_nearly_white() {
     assert_eq!(window.session().history.undo_label(), Some("Auto exposure"), "the step");
     window.menu(&["View", "Auto exposure"]);
     assert_eq!(window.scene().display.exposure_ev, exposure_ev, "it is right already");
-    assert_eq!(window.steps_back(), ["Auto exposure", "Dim"], "one step");
+    let slider = window.harness.get_by_role_and_label(Role::Slider, "Exposure").rect();
+    let middle = slider.left_center() + vec2(40.0, 0.0);
+    window.drag(&[middle, middle - vec2(10.0, 0.0), middle - vec2(20.0, 0.0)]);
+    assert!(window.scene().display.exposure_ev < 0.0, "darker: {} EV", window.scene().display.exposure_ev);
+    assert_eq!(window.steps_back(), ["Change exposure", "Auto exposure", "Dim"], "one step each");
 }
 
 #[test]

@@ -15,6 +15,8 @@ impl Command {
         Self::SelectNone,
         Self::AddMaterial,
         Self::SavePreset,
+        Self::Export,
+        Self::ExportLights,
         Self::List(ListCommand::StoreVariant),
         Self::List(ListCommand::UpdateVariant),
         Self::ResetView,

@@ -123,6 +123,8 @@ impl Command {
             Self::Palette => "Find a command…",
             Self::FirstSteps => "First steps",
             Self::Keys => "Keys",
+            Self::Export => "Export…",
+            Self::ExportLights => "Export selected lights…",
             Self::ExportPlot(..) => "Export plot",
             _ => "",
         }
@@ -144,6 +146,8 @@ impl Command {
             Self::Palette => Some("Any command, preset or thing in the scene, by a few letters"),
             Self::ResetLayout => Some("Put all panes where they were at first"),
             Self::ViewMode(mode) => Some(mode.hint()),
+            Self::Export => Some("For another program; first it is said what is kept, changed and lost"),
+            Self::ExportLights => Some("The selected lights for another program"),
             Self::LinkViews => Some("All viewports look through the same camera"),
             Self::AutoExposure => Some("All but the brightest 1 % of the picture shows without clipping"),
             Self::ToggleMeasure => Some("Least, mean and greatest illuminance and uniformity over a rectangle"),
@@ -160,6 +164,8 @@ impl Command {
             | Self::OpenExample(_)
             | Self::Save
             | Self::SaveAs
+            | Self::Export
+            | Self::ExportLights
             | Self::ExportPlot(..)
             | Self::Quit => Category::File,
             Self::Undo

@@ -85,6 +85,10 @@ pub enum Command {
     AddMaterial,
     /// Add a plot.
     AddPlot(PlotKind),
+    /// Show what becomes of the scene in another program's format, and write it.
+    Export,
+    /// The same, of the selected lights.
+    ExportLights,
     /// Write a plot as it is shown.
     ExportPlot(PlotFormat, Box<Sheet>),
     /// Bring a pane to the front.
@@ -170,7 +174,7 @@ impl Command {
             Self::Redo => session.history.redo_label().is_some(),
             Self::Duplicate | Self::Delete | Self::Focus | Self::SelectNone => session.selection.primary().is_some(),
             Self::List(command) => command.enabled(session),
-            Self::SavePreset | Self::ToggleMute | Self::ToggleSolo => panes::has_lights(session),
+            Self::SavePreset | Self::ExportLights | Self::ToggleMute | Self::ToggleSolo => panes::has_lights(session),
             Self::OpenFile(path) | Self::InsertFile(path) => path.exists(),
             Self::EditPattern => session.selection.primary().is_some_and(|item| item.has_pattern(session.scene())),
             Self::LinkViews => session.views.count() > 1,
@@ -253,7 +257,7 @@ impl Command {
             },
             Self::ReplacePattern(light) => app.choose_pattern(ctx, Some(light)),
             Self::ReplacePhotometry(light) => app.choose_photometry(ctx, Some(light)),
-            Self::EditPattern => session.wants_painter = true,
+            Self::EditPattern => app.show_pane(Pane::Painter),
             Self::InsertPreset(preset) => app.insert_preset(preset),
             Self::InsertFile(path) => app.insert_file(&path),
             Self::SavePreset => app.name_preset(),
@@ -264,6 +268,8 @@ impl Command {
             Self::ReplaceMesh(surface) => app.choose_mesh(ctx, Some(surface)),
             Self::AddMaterial => session.add_material(),
             Self::AddPlot(kind) => session.add_plot(kind),
+            Self::Export => app.open_export(false),
+            Self::ExportLights => app.open_export(true),
             Self::ExportPlot(format, sheet) => app.export_plot(ctx, format, sheet),
             Self::ShowPane(pane) => app.show_pane(pane),
             Self::Tool(tool) => session.tool = tool,

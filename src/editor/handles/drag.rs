@@ -1,6 +1,7 @@
 //! What things become while one of their handles is dragged.
 
 use egui::{Pos2, Vec2};
+use glam::DVec3;
 
 use super::amount::Amount;
 use super::frame::Frame;
@@ -22,6 +23,8 @@ pub struct Drag {
     frame: Frame,
     /// What it acts on, as it was; what was selected last comes last.
     start: Vec<(Item, Subject)>,
+    /// Corners that it may stick to.
+    corners: Vec<DVec3>,
     grabbed_at: Pos2,
     pointer: Pos2,
     /// Numbers typed since.
@@ -51,7 +54,13 @@ pub struct Outcome {
 impl Drag {
     /// `handle`, taken hold of at `pos`; `start` is not empty.
     pub fn new(handle: Handle, frame: Frame, start: Vec<(Item, Subject)>, pos: Pos2) -> Self {
-        Self { handle, frame, start, grabbed_at: pos, pointer: pos, typed: Typed::default() }
+        let corners = Vec::new();
+        Self { handle, frame, start, corners, grabbed_at: pos, pointer: pos, typed: Typed::default() }
+    }
+
+    /// The drag, where it may stick to these corners as well as to the grid.
+    pub fn among(self, corners: Vec<DVec3>) -> Self {
+        Self { corners, ..self }
     }
 
     /// Which handle is held.
@@ -64,7 +73,7 @@ impl Drag {
         self.pointer += if fine { FINE * delta } else { delta };
     }
 
-    /// The things as the pointer has them now; `snap` is the spacing of the grid they stick to. `None` where the pointer
+    /// The things as the pointer has them now; `snap` is the spacing of the grid they stick to, unless a corner is near. `None` where the pointer
     /// says nothing, as past the horizon.
     pub fn change(&self, projection: &Projection, solids: &Solids, snap: Option<f64>) -> Option<Outcome> {
         let typed = self.typed.numbers();
@@ -72,6 +81,7 @@ impl Drag {
             rays: [projection.ray(self.grabbed_at), projection.ray(self.pointer)],
             drag: self.pointer - self.grabbed_at,
             snap,
+            corners: if snap.is_some() { &self.corners } else { &[] },
             typed: &typed,
             projection,
         };

@@ -7,7 +7,7 @@ use crate::editor::session::Tool;
 use crate::editor::tools::new_light;
 use crate::editor::viewport::symbol::Symbol;
 use crate::light::pattern::Pattern;
-use crate::light::{Cap, Disk, Line, Shape, Textured};
+use crate::light::{Cap, Disk, Emitter, Line, Shape, Textured};
 use crate::scene::{Camera, Plot, PlotKind, PlotQuantity};
 use crate::surface::Surface;
 use egui::{Rect, pos2};
@@ -122,6 +122,24 @@ fn a_vertex_follows_the_pointer_in_the_lights_plane() {
     let moved = light(dragged(square(), Handle::Vertex(2), DVec3::new(1.0, 1.0, 2.0), to, None));
     assert!(vertices(&moved)[2].distance(dvec2(1.6, 1.3)) < 1e-4, "{:?}", vertices(&moved));
     assert_eq!(vertices(&moved)[0], dvec2(-1.0, -1.0), "the others stay");
+}
+
+#[test]
+fn a_vertex_and_an_end_stick_to_corners_before_the_grid() {
+    let corner = DVec3::new(1.63, 1.28, 2.0);
+    let stuck = |subject: Subject, handle, from: DVec3, beside: f64| {
+        let to = corner + DVec3::new(beside, 0.0, 0.0);
+        let mut drag = held(subject, handle, on_screen(from)).among(vec![corner]);
+        drag.pull(on_screen(to) - on_screen(from), false);
+        light(drag.change(&projection(), &Solids::default(), Some(0.1)))
+    };
+    let vertex = |beside| vertices(&stuck(square(), Handle::Vertex(2), DVec3::new(1.0, 1.0, 2.0), beside))[2];
+    assert!(vertex(0.02).distance(corner.truncate()) < 1e-9, "the corner: {}", vertex(0.02));
+    assert_eq!(vertex(0.34), dvec2(2.0, 1.3), "else the grid");
+    let line = new_light::line([dvec2(-1.0, 0.0), dvec2(1.0, 0.0)], 2.0).expect("a line");
+    let line = stuck(Subject::Light(line), Handle::End(1), DVec3::new(1.0, 0.0, 2.0), 0.02);
+    let Emitter::Line(line) = line.emitter() else { panic!("a line") };
+    assert!(line.b.distance(corner) < 1e-6, "the end: {}", line.b);
 }
 
 #[test]

@@ -9,6 +9,7 @@ use super::frame::{Frame, selected};
 use super::subject::Subject;
 use super::{AXIS_COLORS, Handle, Spot, hints, probe};
 use crate::editor::session::{Item, Session};
+use crate::editor::tools::snap;
 use crate::editor::viewport::overlay::{self, REFUSED};
 use crate::editor::viewport::pick::Solids;
 use crate::editor::viewport::projection::Projection;
@@ -156,7 +157,8 @@ impl Grip {
             else {
                 return;
             };
-            let mut drag = Drag::new(handle, frame, subjects, origin);
+            let corners = snap::corners(session.scene(), Some(item));
+            let mut drag = Drag::new(handle, frame, subjects, origin).among(corners);
             drag.pull(pos - origin - response.drag_delta(), false);
             let label = label(handle);
             session.begin(label);

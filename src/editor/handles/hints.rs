@@ -38,6 +38,7 @@ pub(super) fn while_held(handle: Handle, grid: f64) -> String {
         Handle::Stretch(_) | Handle::Scale => "Ctrl snaps to tenths".to_owned(),
         Handle::HalfAngle => "Ctrl snaps to 5°".to_owned(),
         Handle::Probe => "Ctrl keeps the normal".to_owned(),
+        Handle::Vertex(_) | Handle::End(_) => format!("Ctrl snaps to corners and {grid} m"),
         _ => format!("Ctrl snaps to {grid} m"),
     };
     let typed = if takes_numbers(handle) { "; type a number, Enter sets it" } else { "" };

@@ -5,6 +5,7 @@ use glam::{DAffine3, DVec2, DVec3};
 
 use super::amount::Amount;
 use super::frame::Frame;
+use crate::editor::tools::snap;
 use crate::editor::tools::work_plane::{snapped, snapped_to};
 use crate::editor::viewport::projection::Projection;
 use crate::editor::viewport::ray::Ray;
@@ -26,6 +27,8 @@ pub struct Pull<'a> {
     pub drag: Vec2,
     /// Spacing of the grid that it sticks to.
     pub snap: Option<f64>,
+    /// Corners that it sticks to before that.
+    pub corners: &'a [DVec3],
     /// What was typed meanwhile.
     pub typed: &'a [f64],
     /// The view.
@@ -103,6 +106,23 @@ impl Pull<'_> {
         let p = world_from_light.transform_point3(at.extend(0.0));
         let on_grid = snapped(p.truncate(), step).extend(p.z);
         world_from_light.inverse().transform_point3(on_grid).truncate()
+    }
+
+    /// A point of a light's own XY plane under the corner that it is seen near to, else on the grid.
+    pub fn caught_in_plane(&self, world_from_light: &DAffine3, at: DVec2) -> DVec2 {
+        let light_from_world = world_from_light.inverse();
+        let own = |p: DVec3| light_from_world.transform_point3(p).truncate();
+        let place = |at: DVec2| world_from_light.transform_point3(at.extend(0.0));
+        let foot = snap::near_foot(|corner| place(own(corner)), place(at), self.projection);
+        match self.caught(foot, place(at)) {
+            Some(corner) => own(corner),
+            None => self.snapped_in_plane(world_from_light, at),
+        }
+    }
+
+    /// The corner whose place `by` is seen near to a point.
+    pub fn caught(&self, by: impl Fn(DVec3) -> Option<DVec3>, at: DVec3) -> Option<DVec3> {
+        snap::nearest(self.corners, by, self.projection, self.projection.project(at)?)
     }
 
     /// Moved along one axis of a frame.

@@ -38,6 +38,8 @@ pub(super) fn end(pull: &Pull<'_>, start: &Subject, index: usize) -> Option<Chan
     *end += pull.shift(*end, normal)?;
     if let Some(length) = pull.typed.first() {
         *end = other + length.max(LEAST) * (*end - other).normalize_or(DVec3::X);
+    } else if let Some(corner) = pull.caught(Some, *end) {
+        *end = corner;
     } else if let Some(step) = pull.snap {
         let level = end.z;
         *end = DVec3::new(snapped_to(end.x, step), snapped_to(end.y, step), snapped_to(end.z, step));

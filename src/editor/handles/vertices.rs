@@ -29,7 +29,7 @@ pub(super) fn vertex(pull: &Pull<'_>, start: &Subject, index: usize) -> Option<C
     reshaped(start, |polygon, world_from_light| {
         let vertex = polygon.vertices.get(index)?;
         let shift = pull.shift_in_plane(world_from_light, *vertex)?;
-        let moved = pull.snapped_in_plane(world_from_light, *vertex + shift);
+        let moved = pull.caught_in_plane(world_from_light, *vertex + shift);
         *polygon.vertices.get_mut(index)? = moved;
         Some(())
     })

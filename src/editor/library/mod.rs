@@ -11,6 +11,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 
+use super::commands::LightKind;
 use super::presets::{self, Preset};
 use super::session::{Item, Session};
 use crate::scene::{self, LoadError, Scene};
@@ -48,6 +49,8 @@ pub struct Entry {
     pub about: String,
     /// Words to find it by.
     pub tags: Vec<String>,
+    /// What its first light is; none of a scene.
+    pub kind: Option<LightKind>,
 }
 
 impl Source {
@@ -75,7 +78,9 @@ impl Entry {
             }
             Source::File(..) => scene.name.clone(),
         };
-        Self { source, shelf, title, about: about(scene), tags: scene.tags.clone() }
+        let first = scene.lights.first().filter(|_| shelf != Shelf::Scenes);
+        let kind = first.map(|light| LightKind::of(&light.shape));
+        Self { source, shelf, title, about: about(scene), tags: scene.tags.clone(), kind }
     }
 
     /// Whether each word of `query` is part of its title, of what it is, or of a tag.

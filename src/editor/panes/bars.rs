@@ -2,13 +2,15 @@
 
 use egui::accesskit::Role;
 use egui::ecolor::Hsva;
-use egui::{Color32, Mesh, Response, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
+use egui::{Color32, Mesh, Popup, PopupCloseBehavior, Response, Sense, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2};
 use glam::DVec3;
 
 use super::look::plain_color;
 
 /// Size of a bar, points.
 const SIZE: [f32; 2] = [150.0, 14.0];
+/// Width of a button that is a colour, points.
+const BUTTON: f32 = 40.0;
 /// Colours along a bar.
 const STEPS: u16 = 32;
 /// Below this saturation a colour has no hue to speak of.
@@ -38,10 +40,10 @@ pub(super) fn bar(ui: &mut Ui, name: &str, at: f64, mut color_at: impl FnMut(f64
     }
     ui.painter().add(mesh);
     let edge = if response.hovered() { ui.visuals().strong_text_color() } else { ui.visuals().weak_text_color() };
-    ui.painter().rect_stroke(rect, 2.0, Stroke::new(1.0, edge), egui::StrokeKind::Outside);
+    ui.painter().rect_stroke(rect, 2.0, Stroke::new(1.0, edge), StrokeKind::Outside);
     let x = egui::lerp(rect.x_range(), to_f32(picked));
     let mark = egui::Rect::from_center_size(pos2(x, rect.center().y), vec2(4.0, rect.height() + 4.0));
-    ui.painter().rect(mark, 1.0, Color32::WHITE, Stroke::new(1.0, Color32::BLACK), egui::StrokeKind::Outside);
+    ui.painter().rect(mark, 1.0, Color32::WHITE, Stroke::new(1.0, Color32::BLACK), StrokeKind::Outside);
     response.widget_info(|| WidgetInfo { value: Some(picked), ..WidgetInfo::labeled(Role::Slider, true, name) });
     (response, picked)
 }
@@ -82,6 +84,17 @@ pub(super) fn color(ui: &mut Ui, rgb: &mut DVec3, with_brightness: bool) -> Resp
         inner.response.mark_changed();
     }
     inner.response
+}
+
+/// A colour, and at a click the bars to change it. One response for all.
+pub(super) fn color_button(ui: &mut Ui, name: &str, hint: &str, rgb: &mut DVec3) -> Response {
+    let (rect, button) = ui.allocate_exact_size(vec2(BUTTON, ui.spacing().interact_size.y), Sense::click());
+    let edge = ui.style().interact(&button).bg_stroke;
+    ui.painter().rect(rect, 3.0, plain_color(*rgb), edge, StrokeKind::Inside);
+    button.widget_info(|| WidgetInfo::labeled(Role::Button, true, name));
+    let button = button.on_hover_text(hint);
+    let popup = Popup::from_toggle_button_response(&button).close_behavior(PopupCloseBehavior::CloseOnClickOutside);
+    popup.show(|ui| color(ui, rgb, true)).map_or(button, |shown| shown.inner)
 }
 
 /// One of the three numbers of a colour.

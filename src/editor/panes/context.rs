@@ -30,7 +30,8 @@ fn item_menu(ui: &mut Ui, session: &Session, item: Item, chosen: &mut Option<Com
     entries(ui, session, &[Command::Focus, Command::Duplicate, Command::Delete], chosen);
     if let Item::Light(index) = item {
         ui.separator();
-        entries(ui, session, &[Command::ToggleMute, Command::ToggleSolo, Command::SavePreset], chosen);
+        entries(ui, session, &[Command::ToggleMute, Command::ToggleSolo], chosen);
+        entries(ui, session, &[Command::SavePreset, Command::ExportLights], chosen);
         let light = session.scene().lights.get(index);
         if let Some(light) = light.filter(|light| matches!(light.shape, Shape::Textured(_))) {
             let replace = Command::ReplacePattern(light.name.clone());

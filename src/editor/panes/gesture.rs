@@ -1,8 +1,9 @@
-//! Edits by widgets: one undo step a gesture, and never to an invalid document.
+//! Edits by widgets: one undo step a gesture, and never to an invalid document; rows dragged to another place.
 
-use egui::{Id, Response, Ui};
+use egui::{CursorIcon, Id, Key, LayerId, Order, Pos2, Response, Stroke, Ui, pos2};
 
 use crate::editor::session::Session;
+use crate::editor::theme;
 use crate::scene::{Scene, validate};
 
 /// The gesture that a pane's widgets are in.
@@ -81,5 +82,44 @@ impl Gesture {
             ui.add_space(6.0);
             ui.colored_label(ui.visuals().error_fg_color, format!("Not possible: {why}"));
         }
+    }
+}
+
+/// A row of a list on its way to another place.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct RowDrag {
+    pointer: Option<Pos2>,
+    /// The button is up: the row goes where it is now.
+    pub(super) is_let_go: bool,
+    is_cancelled: bool,
+}
+
+impl RowDrag {
+    /// The drag as mouse and keys have it.
+    pub(super) fn of(ui: &Ui) -> Self {
+        ui.input(|input| Self {
+            pointer: input.pointer.latest_pos(),
+            is_let_go: !input.pointer.primary_down(),
+            is_cancelled: input.key_pressed(Key::Escape),
+        })
+    }
+
+    /// The height of the pointer, unless Esc has ended the drag.
+    pub(super) fn y(&self) -> Option<f32> {
+        self.pointer.filter(|_| !self.is_cancelled).map(|pointer| pointer.y)
+    }
+
+    /// Whether the drag ends in this frame.
+    pub(super) fn is_over(&self) -> bool {
+        self.is_let_go || self.is_cancelled
+    }
+
+    /// The line where the row would go.
+    pub(super) fn show_line(ui: &Ui, left: f32, y: f32) {
+        let accent = theme::accent(ui.visuals());
+        let painter = ui.ctx().layer_painter(LayerId::new(Order::Foreground, ui.scope_id().with("drop")));
+        painter.hline(left..=ui.max_rect().right(), y, Stroke::new(2.0, accent));
+        painter.circle_filled(pos2(left, y), 3.0, accent);
+        ui.set_cursor_icon(CursorIcon::Grabbing);
     }
 }

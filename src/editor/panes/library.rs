@@ -7,6 +7,7 @@ use egui::{Align2, DragAndDrop, FontId, Key, Rect, RichText, Sense, Ui, WidgetIn
 use egui_material_icons::icons;
 
 use super::icon_button;
+use super::menu::light_icon;
 use crate::editor::commands::Command;
 use crate::editor::folders::Folders;
 use crate::editor::library::drop::Carried;
@@ -228,6 +229,9 @@ fn read(folder: Option<&Path>) -> Vec<Entry> {
     entries
 }
 
+/// Size of the icon that stands for a picture, points.
+const PLACEHOLDER: f32 = 34.0;
+
 /// A picture and its title.
 fn card(ui: &mut Ui, entry: &Entry, chosen: bool, thumbnails: &mut Thumbnails) -> egui::Response {
     let (rect, response) = ui.allocate_exact_size(PICTURE + vec2(0.0, TITLE_HEIGHT), Sense::click_and_drag());
@@ -241,6 +245,12 @@ fn card(ui: &mut Ui, entry: &Entry, chosen: bool, thumbnails: &mut Thumbnails) -
     if let Some(texture) = thumbnails.get(ui.ctx(), &entry.source) {
         let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
         ui.painter().image(texture.id(), picture, whole, egui::Color32::WHITE);
+    } else {
+        // Until its picture is made.
+        let icon = entry.kind.map_or(icons::ICON_IMAGE, light_icon);
+        let font = FontId::proportional(PLACEHOLDER);
+        let color = ui.visuals().weak_text_color().gamma_multiply(0.5);
+        ui.painter().text(picture.center(), Align2::CENTER_CENTER, icon.codepoint, font, color);
     }
     let stroke = match (chosen, response.hovered() || response.has_focus()) {
         (true, _) => egui::Stroke::new(2.0, theme::accent(visuals)),

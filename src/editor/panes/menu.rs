@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use egui::{Button, Ui, vec2};
+use egui::{Button, Id, Ui, vec2};
 use egui_material_icons::MaterialIcon;
 use egui_material_icons::icons;
 
@@ -86,7 +86,7 @@ fn file_menu(ui: &mut Ui, session: &Session, files: &Files, thumbnails: &mut Thu
         }
     });
     ui.separator();
-    entries(ui, session, &[Command::Save, Command::SaveAs], chosen);
+    entries(ui, session, &[Command::Save, Command::SaveAs, Command::Export], chosen);
     ui.separator();
     entry(ui, session, &Command::Quit, chosen);
 }
@@ -159,9 +159,13 @@ fn entry(ui: &mut Ui, session: &Session, command: &Command, chosen: &mut Option<
     }
 }
 
-/// The toolbar; the command that was chosen.
+/// The toolbar; the command that was chosen. What does not fit in its row stands in a second one.
 pub fn toolbar(ui: &mut Ui, session: &mut Session) -> Option<Command> {
     let mut chosen = None;
+    let key = ui.scope_id().with(("width of the options", session.tool, session.outline.kind));
+    // As wide as they were when they were last shown.
+    let needed: f32 = ui.data(|data| data.get_temp(key)).unwrap_or_default();
+    let mut fits = true;
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 3.0;
         for (icon, command) in [
@@ -183,17 +187,37 @@ pub fn toolbar(ui: &mut Ui, session: &mut Session) -> Option<Command> {
         tool_button(ui, session, icons::ICON_ZOOM_OUT_MAP, Command::FrameAll, &mut chosen);
         ui.separator();
         // What the tool in hand is set to comes last, so that nothing else moves; while drawing it needs all the room.
-        if !session.tool.draws() {
-            tool_button(ui, session, icons::ICON_CROP_SQUARE, Command::Viewports(1), &mut chosen);
-            tool_button(ui, session, icons::ICON_SPLITSCREEN_RIGHT, Command::Viewports(2), &mut chosen);
-            tool_button(ui, session, icons::ICON_GRID_VIEW, Command::Viewports(4), &mut chosen);
-            ui.separator();
-            handles::toolbar::show(ui, session, &mut chosen);
-            ui.separator();
+        fits = needed <= ui.available_width();
+        if fits {
+            tool_options(ui, session, key, &mut chosen);
         }
-        options::show(ui, session);
     });
+    if !fits {
+        ui.horizontal(|ui| {
+            ui.spacing_mut().item_spacing.x = 3.0;
+            tool_options(ui, session, key, &mut chosen);
+        });
+    }
     chosen
+}
+
+/// What the tool in hand is set to; how wide that is goes to `key`.
+fn tool_options(ui: &mut Ui, session: &mut Session, key: Id, chosen: &mut Option<Command>) {
+    let start = ui.cursor().left();
+    if !session.tool.draws() {
+        tool_button(ui, session, icons::ICON_CROP_SQUARE, Command::Viewports(1), chosen);
+        tool_button(ui, session, icons::ICON_SPLITSCREEN_RIGHT, Command::Viewports(2), chosen);
+        tool_button(ui, session, icons::ICON_GRID_VIEW, Command::Viewports(4), chosen);
+        ui.separator();
+        handles::toolbar::show(ui, session, chosen);
+        ui.separator();
+    }
+    options::show(ui, session);
+    let width = ui.min_rect().right() - start;
+    if ui.data(|data| data.get_temp(key)) != Some(width) {
+        ui.data_mut(|data| data.insert_temp(key, width));
+        ui.ctx().request_repaint();
+    }
 }
 
 fn tool_button(ui: &mut Ui, session: &Session, icon: MaterialIcon, command: Command, chosen: &mut Option<Command>) {

@@ -2,6 +2,7 @@
 
 mod bars;
 mod context;
+mod export;
 mod gesture;
 mod inspector;
 mod keys;
@@ -16,9 +17,11 @@ mod painter;
 mod palette;
 mod plots;
 mod problems;
+mod renaming;
 mod variants;
 
 pub(super) use context::view_menu;
+pub(super) use export::ask_export;
 pub use inspector::Inspector;
 pub use keys::Keys;
 pub use library::Library;

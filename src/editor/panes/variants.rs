@@ -1,9 +1,11 @@
 //! The variants of the lights: store, switch, compare.
 
-use egui::{Button, RichText, Ui, vec2};
+use egui::{Button, Rect, RichText, Sense, Ui, vec2};
 use egui_material_icons::icons;
 
+use super::gesture::RowDrag;
 use super::icon_button;
+use super::renaming::Renaming;
 use crate::editor::commands::{Command, ListCommand};
 use crate::editor::session::{Session, ViewMode};
 use crate::editor::theme;
@@ -17,15 +19,9 @@ const KEY: f32 = 24.0;
 #[derive(Debug, Default)]
 pub struct Variants {
     /// The variant whose name is being typed.
-    renaming: Option<Renaming>,
-}
-
-#[derive(Debug)]
-struct Renaming {
-    index: usize,
-    name: String,
-    /// The field has had the focus, so losing it ends the edit.
-    focused: bool,
+    renaming: Option<Renaming<usize>>,
+    /// The variant that is being dragged to another place.
+    dragged: Option<usize>,
 }
 
 /// What a row asks for.
@@ -33,10 +29,10 @@ enum Ask {
     Switch(usize),
     StartRenaming(usize),
     Rename(usize, String),
-    CancelRenaming,
     Update(usize),
     Delete(usize),
-    Move { index: usize, up: bool },
+    Drag(usize),
+    Move { index: usize, gap: usize },
     Look(Option<usize>),
     Compare(Option<usize>),
     CompareBy(ViewMode),
@@ -52,7 +48,9 @@ impl Variants {
                 bar(ui, session, &mut asked, &mut commands);
                 ui.add_space(4.0);
                 ui.spacing_mut().item_spacing.y = 1.0;
-                (0..session.scene().variants.len()).for_each(|index| self.row(ui, session, index, &mut asked));
+                let count = session.scene().variants.len();
+                let rows: Vec<Rect> = (0..count).map(|index| self.row(ui, session, index, &mut asked)).collect();
+                self.drop(ui, &rows, &mut asked);
                 looks(ui, session, &mut asked);
                 comparison(ui, session, &mut asked);
             });
@@ -61,24 +59,25 @@ impl Variants {
         commands
     }
 
-    fn row(&mut self, ui: &mut Ui, session: &mut Session, index: usize, asked: &mut Vec<Ask>) {
+    /// The row of a variant, and where it is.
+    fn row(&mut self, ui: &mut Ui, session: &mut Session, index: usize, asked: &mut Vec<Ask>) -> Rect {
         let scene = session.scene().clone();
-        let Some(variant) = scene.variants.get(index) else { return };
+        let Some(variant) = scene.variants.get(index) else { return Rect::NOTHING };
         let is_active = session.active_variant() == Some(index);
-        ui.push_id(("variant", index), |ui| {
+        let row = ui.push_id(("variant", index), |ui| {
             ui.horizontal(|ui| {
                 ui.spacing_mut().item_spacing.x = 2.0;
                 let key = Command::List(ListCommand::Variant(index)).shortcut();
                 let key = key.map_or_else(String::new, |key| ui.ctx().format_shortcut(&key));
                 ui.add_sized(vec2(KEY, ROW), egui::Label::new(RichText::new(key).weak().small()).selectable(false));
-                if self.name_field(ui, index, asked) {
+                if Renaming::show(&mut self.renaming, ui, &index, |index, name| asked.push(Ask::Rename(index, name))) {
                     return;
                 }
                 let changed = if is_active && scene.differs_from_variant() { "changed" } else { "" };
                 let changed = RichText::new(changed).small().color(theme::accent(ui.visuals()));
                 let label = Button::selectable(is_active, &variant.name).truncate().right_text(changed);
                 let width = ui.available_width() - 66.0;
-                let response = ui.add(label.min_size(vec2(width, ROW)));
+                let response = ui.add(label.min_size(vec2(width, ROW)).sense(Sense::click_and_drag()));
                 let count = variant.lights.len();
                 let lights = if count == 1 { "1 light".to_owned() } else { format!("{count} lights") };
                 let response = response.on_hover_text(format!("Switch to its {lights}"));
@@ -87,15 +86,35 @@ impl Variants {
                     asked.push(Ask::StartRenaming(index));
                 } else if response.clicked() {
                     asked.push(Ask::Switch(index));
+                } else if response.drag_started() {
+                    asked.push(Ask::Drag(index));
                 }
                 if response.hovered() {
-                    "Click switches the lights; a double click renames; the eye shows a variant in this view only"
+                    "Click switches the lights; a double click renames; a drag moves; the eye shows it in this view only"
                         .clone_into(&mut session.hint);
                 }
                 response.context_menu(|ui| menu(ui, index, scene.variants.len(), asked));
                 self.buttons(ui, session, index, &variant.name, asked);
             });
         });
+        row.response.rect
+    }
+
+    /// The line where the variant that is dragged would go; when it is let go, it does.
+    fn drop(&mut self, ui: &Ui, rows: &[Rect], asked: &mut Vec<Ask>) {
+        let Some(index) = self.dragged else { return };
+        let (Some(first), Some(last)) = (rows.first(), rows.last()) else { return };
+        let row_drag = RowDrag::of(ui);
+        if let Some(y) = row_drag.y() {
+            let gap = rows.iter().filter(|row| row.center().y < y).count();
+            RowDrag::show_line(ui, first.left(), rows.get(gap).map_or(last.bottom(), Rect::top));
+            if row_drag.is_let_go {
+                asked.push(Ask::Move { index, gap });
+            }
+        }
+        if row_drag.is_over() {
+            self.dragged = None;
+        }
     }
 
     fn buttons(&self, ui: &mut Ui, session: &Session, index: usize, name: &str, asked: &mut Vec<Ask>) {
@@ -117,37 +136,18 @@ impl Variants {
         }
     }
 
-    /// The name being typed, if it is this row's; Enter or a click elsewhere takes it, Esc does not.
-    fn name_field(&mut self, ui: &mut Ui, index: usize, asked: &mut Vec<Ask>) -> bool {
-        let Some(renaming) = self.renaming.as_mut().filter(|renaming| renaming.index == index) else { return false };
-        let edit = egui::TextEdit::singleline(&mut renaming.name).desired_width(f32::INFINITY);
-        let response = ui.add(edit).accessible_name("New name");
-        if !renaming.focused {
-            response.request_focus();
-            renaming.focused = true;
-        } else if response.lost_focus() {
-            let cancelled = ui.input(|input| input.key_pressed(egui::Key::Escape));
-            let rename = Ask::Rename(index, renaming.name.clone());
-            asked.push(if cancelled { Ask::CancelRenaming } else { rename });
-        }
-        true
-    }
-
     fn answer(&mut self, ask: Ask, session: &mut Session) {
         match ask {
             Ask::Switch(index) => session.switch_variant(index),
             Ask::StartRenaming(index) => {
                 let name = session.scene().variants.get(index).map(|variant| variant.name.clone());
-                self.renaming = name.map(|name| Renaming { index, name, focused: false });
+                self.renaming = name.map(|name| Renaming::new(index, name));
             }
-            Ask::Rename(index, name) => {
-                session.rename_variant(index, &name);
-                self.renaming = None;
-            }
-            Ask::CancelRenaming => self.renaming = None,
+            Ask::Rename(index, name) => session.rename_variant(index, &name),
             Ask::Update(index) => session.update_variant(index),
             Ask::Delete(index) => session.delete_variant(index),
-            Ask::Move { index, up } => session.move_variant(index, up),
+            Ask::Drag(index) => self.dragged = Some(index),
+            Ask::Move { index, gap } => session.move_variant(index, gap),
             Ask::Look(variant) => session.view.variant = variant,
             Ask::Compare(variant) => {
                 let compares = session.view.mode.compares();
@@ -244,10 +244,10 @@ fn menu(ui: &mut Ui, index: usize, count: usize, asked: &mut Vec<Ask>) {
         asked.push(Ask::Update(index));
     }
     if ui.add_enabled(index > 0, Button::new("Move up")).clicked() {
-        asked.push(Ask::Move { index, up: true });
+        asked.push(Ask::Move { index, gap: index - 1 });
     }
     if ui.add_enabled(index + 1 < count, Button::new("Move down")).clicked() {
-        asked.push(Ask::Move { index, up: false });
+        asked.push(Ask::Move { index, gap: index + 2 });
     }
     if ui.button("Delete").clicked() {
         asked.push(Ask::Delete(index));

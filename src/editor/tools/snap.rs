@@ -4,6 +4,7 @@ use egui::Pos2;
 use glam::{DVec2, DVec3};
 
 use super::work_plane::{Frame, snapped_to};
+use crate::editor::session::Item;
 use crate::editor::viewport::pick;
 use crate::editor::viewport::projection::Projection;
 use crate::light::{Emitter, Light};
@@ -31,14 +32,41 @@ pub struct Caught {
 /// Of all corners of lights and surfaces the one whose place on the work plane is nearest to the pointer and within
 /// reach; the pointer is at `pos` on screen and over `free` on the plane.
 pub fn corner(scene: &Scene, frame: &Frame, projection: &Projection, pos: Pos2, free: DVec2) -> Option<Caught> {
-    let widest = FLAT * f64::from(REACH) * projection.metres_per_point(frame.point(free));
-    let corners = scene.lights.iter().flat_map(light_corners).chain(scene.surfaces.iter().flat_map(surface_corners));
-    let near = corners.filter_map(|corner| {
-        let at = frame.coordinates(corner);
-        let distance = projection.project(frame.point(at))?.distance(pos);
-        (distance <= REACH && at.distance(free) <= widest).then_some((Caught { corner, at }, distance))
+    let foot = |corner| frame.point(frame.coordinates(corner));
+    let corner = nearest(&corners(scene, None), near_foot(foot, frame.point(free), projection), projection, pos)?;
+    Some(Caught { corner, at: frame.coordinates(corner) })
+}
+
+/// The foot of a corner on a plane, where it is not far from the point `free` of that plane.
+pub fn near_foot(
+    foot: impl Fn(DVec3) -> DVec3,
+    free: DVec3,
+    projection: &Projection,
+) -> impl Fn(DVec3) -> Option<DVec3> {
+    let widest = FLAT * f64::from(REACH) * projection.metres_per_point(free);
+    move |corner| Some(foot(corner)).filter(|at| at.distance(free) <= widest)
+}
+
+/// Corners of all lights and surfaces but one.
+pub fn corners(scene: &Scene, without: Option<Item>) -> Vec<DVec3> {
+    let lights = scene.lights.iter().enumerate().filter(|(i, _)| Some(Item::Light(*i)) != without);
+    let surfaces = scene.surfaces.iter().enumerate().filter(|(i, _)| Some(Item::Surface(*i)) != without);
+    let of_lights = lights.flat_map(|(_, light)| light_corners(light));
+    of_lights.chain(surfaces.flat_map(|(_, surface)| surface_corners(surface))).collect()
+}
+
+/// Of `corners` the one whose place `at` is seen nearest to `pos` and within reach.
+pub fn nearest(
+    corners: &[DVec3],
+    at: impl Fn(DVec3) -> Option<DVec3>,
+    projection: &Projection,
+    pos: Pos2,
+) -> Option<DVec3> {
+    let near = corners.iter().filter_map(|corner| {
+        let distance = projection.project(at(*corner)?)?.distance(pos);
+        (distance <= REACH).then_some((*corner, distance))
     });
-    near.min_by(|(_, a), (_, b)| a.total_cmp(b)).map(|(caught, _)| caught)
+    near.min_by(|(_, a), (_, b)| a.total_cmp(b)).map(|(corner, _)| corner)
 }
 
 /// Corners of a light's outline, a line's ends, the centre of what is round.

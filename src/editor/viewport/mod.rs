@@ -2,11 +2,12 @@
 //!
 //! Geometry without egui's input lives in [`ray`], [`projection`], [`navigate`] and [`pick`]; what a drag or a click
 //! does to the document in [`super::handles`] and [`super::tools`]. `pointer.rs` joins them to the mouse. A [`screen`]
-//! is one picture with its [`controls`], its [`scales`] of false colours, its [`split`] between two methods, and the
-//! [`gauge`] of illuminance.
+//! is one picture with its [`controls`], its [`scales`] of false colours, its [`split`] between two methods, the
+//! [`gauge`] of illuminance and the numbers on its [`isolines`].
 
 pub mod controls;
 pub mod gauge;
+pub mod isolines;
 pub mod layout;
 pub mod navigate;
 pub mod overlay;

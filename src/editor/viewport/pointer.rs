@@ -5,6 +5,7 @@ use egui::{Color32, Modifiers, Painter, PointerButton, Response, Ui};
 use super::navigate;
 use super::pick::{self, Solids};
 use super::projection::Projection;
+use crate::editor::commands::Command;
 use crate::editor::handles::click::Placing;
 use crate::editor::handles::grip::{Grip, Holding};
 use crate::editor::handles::{Handle, corners};
@@ -79,8 +80,9 @@ impl Pointer {
                 let item = hot.map(|(item, _)| item).or(self.hovered);
                 select(session, item, ui.input(|input| input.modifiers));
             }
-            if response.double_clicked() && hot.is_none() {
-                session.wants_painter |= self.hovered.is_some_and(|item| item.has_pattern(session.scene()));
+            let has_pattern = |item: Item| item.has_pattern(session.scene());
+            if response.double_clicked() && hot.is_none() && self.hovered.is_some_and(has_pattern) {
+                session.asked.push(Command::EditPattern);
             }
         }
     }

@@ -40,11 +40,11 @@ pub fn display(view: &ViewState, survey: &Survey) -> Display {
     }
 }
 
-/// Whether the scale follows the picture.
-pub fn is_auto(view: &ViewState) -> bool {
+/// Whether something that is shown follows the picture's numbers: the scale, or what is written on isolines.
+pub fn follows_picture(view: &ViewState) -> bool {
     match view.mode {
         ViewMode::Difference => view.difference_ends[usize::from(view.relative)].is_none(),
-        ViewMode::Illuminance => view.illuminance_end.is_none(),
+        ViewMode::Illuminance => view.illuminance_end.is_none() || view.isolines,
         ViewMode::Picture | ViewMode::Split | ViewMode::Bands => false,
     }
 }
@@ -97,6 +97,11 @@ pub fn show(ui: &mut Ui, rect: Rect, session: &mut Session, display: &Display, n
         ui.set_min_width(190.0);
         settings(ui, session, display);
     });
+}
+
+/// What the bar leaves free of a viewport.
+pub fn beside_bar(rect: Rect) -> Rect {
+    Rect::from_min_max(rect.min, pos2(rect.right() - WIDTH, rect.bottom()))
 }
 
 /// The settings of what is shown: unit, end and kind of scale.
@@ -299,15 +304,15 @@ mod tests {
     fn a_scale_that_was_typed_stays_and_another_unit_has_its_own() {
         let mut view = ViewState::new(Camera::default());
         view.set_mode(ViewMode::Difference);
-        assert!(is_auto(&view), "at first it follows the picture");
+        assert!(follows_picture(&view), "at first it follows the picture");
         *view.difference_end() = Some(12.0);
         let end = |view: &ViewState| match display(view, &Survey::default()) {
             Display::Difference { end, .. } => end,
             other => panic!("{other:?}"),
         };
-        assert_eq!((end(&view), is_auto(&view)), (12.0, false), "typed");
+        assert_eq!((end(&view), follows_picture(&view)), (12.0, false), "typed");
         view.relative = true;
-        assert!(is_auto(&view), "the other unit follows the picture");
+        assert!(follows_picture(&view), "the other unit follows the picture");
         assert!(end(&view) > 0.0, "whatever there is to see");
     }
 }

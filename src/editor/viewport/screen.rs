@@ -6,12 +6,12 @@ use eframe::egui_wgpu::RenderState;
 use egui::{Align2, Color32, Painter, Rect, TextureId, Ui, pos2, vec2};
 
 use super::gauge::Gauge;
-use super::overlay::{self, Grid};
+use super::overlay::{self, Grid, Marks};
 use super::pick::Solids;
 use super::picture::{Haste, Picture};
 use super::pointer::Pointer;
 use super::projection::Projection;
-use super::{Overlays, controls, scales, split};
+use super::{Overlays, controls, isolines, scales, split};
 use crate::editor::session::{Item, Session, ViewMode, ViewState};
 use crate::editor::theme;
 use crate::gpu::{Display, Survey, View};
@@ -33,6 +33,8 @@ pub struct Screen {
     grid: Grid,
     gauge: Gauge,
     survey: Survey,
+    /// Of what the survey was made.
+    surveyed: Option<([Arc<Scene>; 2], View)>,
     asked: Option<([Arc<Scene>; 2], View)>,
     texture: Option<TextureId>,
 }
@@ -45,6 +47,7 @@ impl Screen {
             grid: Grid::default(),
             gauge: Gauge::default(),
             survey: Survey::default(),
+            surveyed: None,
             asked: None,
             texture: None,
         }
@@ -93,11 +96,12 @@ impl Screen {
     /// Find the picture's numbers where scales or the exposure follow them.
     pub fn follow(&mut self, ui: &Ui, session: &mut Session, is_active: bool) {
         let exposes = session.wants_exposure && is_active;
-        if !exposes && !scales::is_auto(&session.view) {
+        if !exposes && !scales::follows_picture(&session.view) {
             return;
         }
         if let Some(survey) = self.picture.survey() {
             self.survey = survey;
+            self.surveyed.clone_from(&self.asked);
             ui.ctx().request_repaint();
         }
         if self.picture.is_surveying() {
@@ -105,6 +109,17 @@ impl Screen {
         } else if exposes && !self.picture.is_behind() {
             session.wants_exposure = false;
             expose(session, &self.survey);
+        }
+    }
+
+    /// The lux on the isolines; nothing while the picture is another than that of which they are known.
+    fn paint_isoline_labels(&self, rect: Rect, painter: &Painter) {
+        let (Some((scenes, now)), Some((known, then))) = (&self.asked, &self.surveyed) else { return };
+        let Display::Illuminance { scale, isolines: true } = now.display else { return };
+        let is_same = scenes.iter().zip(known).all(|(now, then)| Arc::ptr_eq(now, then));
+        if is_same && now.camera == then.camera && now.size == then.size && now.method == then.method {
+            let room = scales::beside_bar(rect);
+            isolines::paint(&self.survey, &scale.levels(), rect, room, painter);
         }
     }
 
@@ -124,9 +139,15 @@ impl Screen {
         if session.view.show_grid {
             self.grid.paint(projection, solids, &painter);
         }
+        self.paint_isoline_labels(projection.rect(), &painter);
         if overlays.outlines {
-            let hovered = pointer.hovered();
-            overlay::paint_lights(scene, &session.selection, hovered, accent, solids, projection, &painter);
+            let marks = Marks {
+                selection: &session.selection,
+                hovered: pointer.hovered(),
+                accent,
+                on_bright: session.view.mode.is_false_colour(),
+            };
+            overlay::paint_lights(scene, &marks, solids, projection, &painter);
         }
         if let Some(count) = shown_fit(session) {
             let selected = |(i, light): (usize, _)| session.selection.contains(Item::Light(i)).then_some(light);

@@ -3,10 +3,11 @@
 use egui::Ui;
 
 use super::fields::{Fields, Number, row_label};
-use super::lights::Lights;
+use super::together::Lights;
 use crate::editor::light_list;
 use crate::editor::panes::look::{display_color, quantity_name, quantity_suffix};
 use crate::editor::panes::{bars, links};
+use crate::editor::units::{self, Unit};
 use crate::light::{Light, Quantity, QuantityKind, Tint, temperature_color};
 
 /// The temperature that a light gets when its tint becomes one, kelvin.
@@ -35,6 +36,16 @@ fn quantities(ui: &mut Ui, fields: &mut Fields<'_>, lights: &Lights) {
         let style = Number::amount(quantity_suffix(*kind), values[0]);
         let set = lights.set_each(|light: &mut Light, value| light.quantity = Quantity::new(*kind, value));
         fields.numbers(ui, quantity_name(*kind), &style, &values, set);
+    }
+    if let Some(lux) = lights.of_all(units::lux_at_metre) {
+        let hint = "Illuminance of a surface 1 m before the middle of the light and facing it";
+        let style = Number { hint, ..Number::amount(" lx", lux[0]) };
+        let set = lights.set_each(|light: &mut Light, lux| {
+            if let Some(stated) = units::stated(light, Unit::LuxAtMetre, lux) {
+                *light = stated;
+            }
+        });
+        fields.numbers(ui, "Lux at 1 m", &style, &lux, set);
     }
     if !others.is_empty() {
         let hint = "Multiplies what all of them emit, each in its own unit";

@@ -2,17 +2,13 @@
 
 use std::ops::RangeInclusive;
 
-use egui::accesskit::Role;
-use egui::{
-    DragValue, Grid, Id, Popup, PopupCloseBehavior, Response, RichText, Sense, StrokeKind, Ui, WidgetInfo, vec2,
-};
+use egui::{DragValue, Grid, Id, Response, RichText, Ui, vec2};
 use glam::DVec3;
 
 use super::pattern::Thumbnail;
 use crate::editor::commands::Command;
 use crate::editor::panes::bars;
 use crate::editor::panes::gesture::Gesture;
-use crate::editor::panes::look::plain_color;
 use crate::editor::session::Session;
 use crate::editor::theme;
 use crate::scene::Scene;
@@ -181,12 +177,7 @@ impl Fields<'_> {
         ui.end_row();
     }
 
-    /// A row with a colour to pick, and its three components.
-    pub(super) fn color(&mut self, ui: &mut Ui, label: &str, value: DVec3, set: impl Fn(&mut Scene, DVec3)) {
-        self.colors(ui, label, &[value], |scene, _, value| set(scene, value));
-    }
-
-    /// A row with a colour of each of some things; see [`Self::numbers`].
+    /// A row with a colour of each of some things to pick, and its three components; see [`Self::numbers`].
     pub(super) fn colors(
         &mut self,
         ui: &mut Ui,
@@ -198,17 +189,10 @@ impl Fields<'_> {
         row_label(ui, label);
         ui.vertical(|ui| {
             let name = format!("Pick {}", label.to_lowercase());
-            let (rect, button) = ui.allocate_exact_size(vec2(40.0, ui.spacing().interact_size.y), Sense::click());
-            let edge = ui.style().interact(&button).bg_stroke;
-            ui.painter().rect(rect, 3.0, plain_color(*first), edge, StrokeKind::Inside);
-            button.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));
-            let popup = Popup::from_toggle_button_response(&button.on_hover_text(&name));
-            popup.close_behavior(PopupCloseBehavior::CloseOnClickOutside).show(|ui| {
-                let mut color = *first;
-                let response = bars::color(ui, &mut color, true);
-                let step = format!("Change {}", label.to_lowercase());
-                self.apply(&response, &step, |scene| (0..values.len()).for_each(|i| set(scene, i, color)));
-            });
+            let mut color = *first;
+            let response = bars::color_button(ui, &name, &name, &mut color);
+            let step = format!("Change {}", label.to_lowercase());
+            self.apply(&response, &step, |scene| (0..values.len()).for_each(|i| set(scene, i, color)));
             self.components(ui, label, ["red", "green", "blue"], &Number::SHARE, values, &set);
         });
         ui.end_row();

@@ -3,7 +3,7 @@
 use egui::Ui;
 
 use super::fields::{Fields, Number};
-use super::lights::Lights;
+use super::together::Lights;
 use super::{emission, pattern, photometry, vertices};
 use crate::light::{Light, Line, LineEmission, Polygon, Shape, Sky};
 

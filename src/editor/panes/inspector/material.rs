@@ -3,7 +3,7 @@
 use egui::Ui;
 
 use super::fields::{Fields, Number};
-use crate::scene::Scene;
+use super::together::Together;
 use crate::surface::{Material, ReflectionModel};
 
 /// Exponents that a scene may have.
@@ -13,23 +13,22 @@ const SLOPES: [f64; 2] = [0.01, 1.0];
 /// The least reflectance that a material gets whose model becomes Cook and Torrance's: that of glass.
 const LEAST_REFLECTANCE: f64 = 0.04;
 
-pub(super) fn show(ui: &mut Ui, fields: &mut Fields<'_>, index: usize) {
-    let Some(material) = fields.scene().materials.get(index).cloned() else { return };
-    let users = fields.scene().surfaces.iter().filter(|surface| surface.material == material.name).count();
-    fields.section(ui, &format!("Material “{}”", material.name), |ui, fields| {
-        fields.color(ui, "Diffuse k_d", material.diffuse, at(index, |m, rgb| m.diffuse = rgb));
-        fields.color(ui, "Specular k_s", material.specular, at(index, |m, rgb| m.specular = rgb));
-        model(ui, fields, index, &material);
+/// The numbers of materials, edited together.
+pub(super) fn show(ui: &mut Ui, fields: &mut Fields<'_>, materials: &Together<Material>) {
+    let is_used = |name: &String| materials.all().iter().any(|material| material.name == *name);
+    let users = fields.scene().surfaces.iter().filter(|surface| is_used(&surface.material)).count();
+    let title = match materials.all() {
+        [material] => format!("Material “{}”", material.name),
+        several => format!("{} materials", several.len()),
+    };
+    fields.section(ui, &title, |ui, fields| {
+        let diffuse = materials.each(|material| material.diffuse);
+        fields.colors(ui, "Diffuse k_d", &diffuse, materials.set_each(|material, rgb| material.diffuse = rgb));
+        let specular = materials.each(|material| material.specular);
+        fields.colors(ui, "Specular k_s", &specular, materials.set_each(|material, rgb| material.specular = rgb));
+        model(ui, fields, materials);
         fields.derived(ui, "Used by", &format!("{users} surface{}", if users == 1 { "" } else { "s" }));
     });
-}
-
-fn at<T>(index: usize, set: impl Fn(&mut Material, T)) -> impl Fn(&mut Scene, T) {
-    move |scene, value| {
-        if let Some(material) = scene.materials.get_mut(index) {
-            set(material, value);
-        }
-    }
 }
 
 /// The models, those of one lobe about the mirror direction first.
@@ -49,70 +48,74 @@ fn hint(model: ReflectionModel) -> &'static str {
     }
 }
 
-fn model(ui: &mut Ui, fields: &mut Fields<'_>, index: usize, material: &Material) {
+/// The model, and a row for each of its numbers that all of them have.
+fn model(ui: &mut Ui, fields: &mut Fields<'_>, materials: &Together<Material>) {
     let choices = MODELS.map(|model| (model.name(), model.name().to_owned()));
-    let set = at(index, |material: &mut Material, name| {
+    let set = materials.set(|material: &mut Material, name| {
         if let Some(model) = MODELS.into_iter().find(|model| model.name() == name) {
             become_model(material, model);
         }
     });
-    fields.choice_explained(ui, "Reflection", &material.model.name(), &choices, hint(material.model), set);
+    let models = materials.each(|material| material.model);
+    let is_one = models.iter().all(|model| model.name() == models[0].name());
+    let names = materials.each(|material| material.model.name());
+    fields.choice_of_all(ui, "Reflection", &names, &choices, if is_one { hint(models[0]) } else { "" }, set);
+    let slope = Number {
+        unit: "",
+        speed: 0.002,
+        range: SLOPES[0]..=SLOPES[1],
+        hint: "Root mean square slope of the microfacets; smaller is sharper",
+    };
+    let share =
+        Number { hint: "Fresnel reflectance at normal incidence: 0.04 is glass, 1 is a mirror", ..Number::SHARE };
+    let factor = |hint| Number { unit: "", speed: 0.005, range: -1.0..=1.0, hint };
     let exponent = Number {
         unit: "",
-        speed: (0.01 * material.exponent).max(0.1),
+        speed: (0.01 * materials.all()[0].exponent).max(0.1),
         range: EXPONENTS[0]..=EXPONENTS[1],
         hint: "Larger is sharper; any real number from 1",
     };
-    let set_exponent = at(index, |material: &mut Material, exponent| material.exponent = exponent);
-    match material.model {
-        ReflectionModel::Phong {} | ReflectionModel::Blinn {} => {
-            fields.number(ui, "Exponent m", &exponent, material.exponent, set_exponent);
-        }
-        ReflectionModel::CookTorrance { roughness, reflectance } => {
-            let slope = Number {
-                unit: "",
-                speed: 0.002,
-                range: SLOPES[0]..=SLOPES[1],
-                hint: "Root mean square slope of the microfacets; smaller is sharper",
-            };
-            let set = at(index, |material: &mut Material, roughness| {
-                material.model = ReflectionModel::CookTorrance { roughness, reflectance };
+    let numbers: [(&str, Number, Part); 5] = [
+        ("Exponent m", exponent, exponent_of),
+        ("Roughness", slope, roughness),
+        ("Reflectance", share, reflectance),
+        ("Tangential", factor("Factor along the surface: −1 mirrors, 1 sends back"), tangential),
+        ("Normal", factor("Factor across the surface: 1 mirrors, less is off-specular"), normal),
+    ];
+    for (label, style, part) in numbers {
+        if let Some(values) = materials.of_all(|material| part(&mut material.clone()).map(|number| *number)) {
+            let set = materials.set_each(move |material, value| {
+                if let Some(number) = part(material) {
+                    *number = value;
+                }
             });
-            fields.number(ui, "Roughness", &slope, roughness, set);
-            let share = Number {
-                hint: "Fresnel reflectance at normal incidence: 0.04 is glass, 1 is a mirror",
-                ..Number::SHARE
-            };
-            let set = at(index, |material: &mut Material, reflectance| {
-                material.model = ReflectionModel::CookTorrance { roughness, reflectance };
-            });
-            fields.number(ui, "Reflectance", &share, reflectance, set);
-        }
-        ReflectionModel::Lafortune { tangential, normal } => {
-            fields.number(ui, "Exponent m", &exponent, material.exponent, set_exponent);
-            let factor = |hint| Number { unit: "", speed: 0.005, range: -1.0..=1.0, hint };
-            let set = at(index, |material: &mut Material, tangential| {
-                material.model = ReflectionModel::Lafortune { tangential, normal };
-            });
-            fields.number(
-                ui,
-                "Tangential",
-                &factor("Factor along the surface: −1 mirrors, 1 sends back"),
-                tangential,
-                set,
-            );
-            let set = at(index, |material: &mut Material, normal| {
-                material.model = ReflectionModel::Lafortune { tangential, normal };
-            });
-            fields.number(
-                ui,
-                "Normal",
-                &factor("Factor across the surface: 1 mirrors, less is off-specular"),
-                normal,
-                set,
-            );
+            fields.numbers(ui, label, &style, &values, set);
         }
     }
+}
+
+/// A number of a material's model; none where the model has it not.
+type Part = fn(&mut Material) -> Option<&mut f64>;
+
+fn exponent_of(material: &mut Material) -> Option<&mut f64> {
+    let is_cook_torrance = matches!(material.model, ReflectionModel::CookTorrance { .. });
+    (!is_cook_torrance).then_some(&mut material.exponent)
+}
+
+fn roughness(material: &mut Material) -> Option<&mut f64> {
+    if let ReflectionModel::CookTorrance { roughness, .. } = &mut material.model { Some(roughness) } else { None }
+}
+
+fn reflectance(material: &mut Material) -> Option<&mut f64> {
+    if let ReflectionModel::CookTorrance { reflectance, .. } = &mut material.model { Some(reflectance) } else { None }
+}
+
+fn tangential(material: &mut Material) -> Option<&mut f64> {
+    if let ReflectionModel::Lafortune { tangential, .. } = &mut material.model { Some(tangential) } else { None }
+}
+
+fn normal(material: &mut Material) -> Option<&mut f64> {
+    if let ReflectionModel::Lafortune { normal, .. } = &mut material.model { Some(normal) } else { None }
 }
 
 /// Give a material another model, and that the numbers with which its highlight keeps its width and strength.

@@ -3,13 +3,13 @@
 mod emission;
 mod fields;
 mod light;
-mod lights;
 mod material;
 mod pattern;
 mod photometry;
 mod plot;
 mod scene;
 mod surface;
+mod together;
 mod vertices;
 
 use egui::Ui;
@@ -17,11 +17,12 @@ use egui::Ui;
 pub(in crate::editor) use self::fields::reveal;
 
 use self::fields::Fields;
-use self::lights::Lights;
 use self::pattern::Thumbnail;
+use self::together::{Lights, Together};
 use super::gesture::Gesture;
 use crate::editor::commands::Command;
 use crate::editor::session::{Item, Session};
+use crate::surface::Material;
 
 /// The pane's own state.
 #[derive(Default)]
@@ -55,16 +56,21 @@ impl Inspector {
         }
         let others = session.selection.items().len().saturating_sub(1);
         if others > 0 {
-            let lights = session.selected_lights().len();
-            let together = matches!(item, Some(Item::Light(_))) && lights > 1;
-            let what = if together { format!("edits {lights} lights together") } else { format!("and {others} more") };
+            let what = match item.and_then(|item| edited_together(session, item)) {
+                Some((count @ 2.., kind)) => format!("edits {count} {kind} together"),
+                _ => format!("and {others} more"),
+            };
             ui.weak(what).on_hover_text("Typed values go to all of them; dragged ones change each by as much");
         }
         let mut fields = Fields { session, gesture: &mut self.gesture, thumbnail: &mut self.thumbnail, commands };
         match item {
             Some(Item::Light(index)) => light::show(ui, &mut fields, index),
             Some(Item::Surface(index)) => surface::show(ui, &mut fields, index),
-            Some(Item::Material(index)) => material::show(ui, &mut fields, index),
+            Some(Item::Material(index)) => {
+                if let Some(materials) = Together::<Material>::selected(fields.session, index) {
+                    material::show(ui, &mut fields, &materials);
+                }
+            }
             Some(Item::Plot(index)) => plot::show(ui, &mut fields, index),
             None => scene::show(ui, &mut fields),
         }
@@ -97,6 +103,18 @@ impl Inspector {
             ui.weak(kind.unwrap_or_default());
         });
     }
+}
+
+/// How many things of the kind of `first` are selected, and what they are called, where such are edited together.
+fn edited_together(session: &Session, first: Item) -> Option<(usize, &'static str)> {
+    let kind = match first {
+        Item::Light(_) => "lights",
+        Item::Surface(_) => "surfaces",
+        Item::Material(_) => "materials",
+        Item::Plot(_) => return None,
+    };
+    let is_alike = |item: &&Item| std::mem::discriminant(*item) == std::mem::discriminant(&first);
+    Some((session.selection.items().iter().filter(is_alike).count(), kind))
 }
 
 /// The colour of the lights at these places, to be edited in a popup.

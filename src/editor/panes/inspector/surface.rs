@@ -1,31 +1,38 @@
-//! A surface's numbers.
+//! The numbers of surfaces: of one, or of all that are selected together.
 
 use egui::Ui;
 use glam::DVec3;
 
 use super::fields::{Fields, Number, row_label};
 use super::material;
+use super::together::Together;
 use crate::editor::commands::Command;
 use crate::scene::Scene;
-use crate::surface::{MOST_FLAKE_DEPTH, MOST_TETRAHEDRON_DEPTH, Mesh, Shape, Surface};
+use crate::surface::{MOST_FLAKE_DEPTH, MOST_TETRAHEDRON_DEPTH, Material, Mesh, Shape, Surface};
 
+/// What the selected surfaces have in common, the one at `index` first, and their materials.
 pub(super) fn show(ui: &mut Ui, fields: &mut Fields<'_>, index: usize) {
-    let Some(surface) = fields.scene().surfaces.get(index).cloned() else { return };
-    fields.section(ui, "Surface", |ui, fields| {
+    let Some(surfaces) = Together::<Surface>::selected(fields.session, index) else { return };
+    let title = if surfaces.all().len() > 1 { "Surfaces" } else { "Surface" };
+    fields.section(ui, title, |ui, fields| {
         let materials = material_names(fields.scene());
         let choices: Vec<_> = materials.into_iter().map(|name| (name.clone(), name)).collect();
-        let set = at(index, |surface, name| surface.material = name);
-        fields.choice(ui, "Material", &surface.material, &choices, set);
-        shape(ui, fields, index, &surface);
+        let current = surfaces.each(|surface| surface.material.clone());
+        let set = surfaces.set(|surface, name| surface.material = name);
+        fields.choice_of_all(ui, "Material", &current, &choices, "", set);
+        shape(ui, fields, &surfaces);
     });
     fields.section(ui, "Placement", |ui, fields| {
-        fields.vector(ui, "Position", &Number::PLACE, surface.position, at(index, |s, p| s.position = p));
-        fields.vector(ui, "Rotation", &Number::ANGLE, surface.rotation_deg, at(index, |s, r| s.rotation_deg = r));
-        let scale = Number { speed: 0.005, range: 1e-3..=1e3, ..Number::FACTOR };
-        fields.vector(ui, "Scale", &scale, surface.scale, at(index, |s, scale| s.scale = scale));
+        let positions = surfaces.each(|surface| surface.position);
+        fields.vectors(ui, "Position", &Number::PLACE, &positions, surfaces.set_each(|s, p| s.position = p));
+        let rotations = surfaces.each(|surface| surface.rotation_deg);
+        fields.vectors(ui, "Rotation", &Number::ANGLE, &rotations, surfaces.set_each(|s, r| s.rotation_deg = r));
+        let style = Number { speed: 0.005, range: 1e-3..=1e3, ..Number::FACTOR };
+        let scales = surfaces.each(|surface| surface.scale);
+        fields.vectors(ui, "Scale", &style, &scales, surfaces.set_each(|s, scale| s.scale = scale));
     });
-    if let Some(position) = fields.scene().materials.iter().position(|m| m.name == surface.material) {
-        material::show(ui, fields, position);
+    if let Some(materials) = Together::<Material>::of(fields.scene(), &surfaces) {
+        material::show(ui, fields, &materials);
     }
 }
 
@@ -33,44 +40,39 @@ pub(super) fn material_names(scene: &Scene) -> Vec<String> {
     scene.materials.iter().map(|material| material.name.clone()).collect()
 }
 
-fn at<T>(index: usize, set: impl Fn(&mut Surface, T)) -> impl Fn(&mut Scene, T) {
-    move |scene, value| {
-        if let Some(surface) = scene.surfaces.get_mut(index) {
-            set(surface, value);
+/// A row for each number of their shapes that all of them have; more of one alone.
+fn shape(ui: &mut Ui, fields: &mut Fields<'_>, surfaces: &Together<Surface>) {
+    if let [surface] = surfaces.all() {
+        match &surface.shape {
+            Shape::Mesh(mesh) => mesh_row(ui, fields, &surface.name, mesh),
+            Shape::Patch { control_points } => control_point_rows(ui, fields, surfaces, control_points),
+            Shape::Plane {} => fields.derived(ui, "Extent", "infinite"),
+            Shape::Sphereflake { depth } => {
+                let set = surfaces.set(|surface, depth| surface.shape = Shape::Sphereflake { depth });
+                fields.whole(ui, "Depth", 0..=MOST_FLAKE_DEPTH, *depth, set);
+            }
+            Shape::Tetrahedron { depth } => {
+                let set = surfaces.set(|surface, depth| surface.shape = Shape::Tetrahedron { depth });
+                fields.whole(ui, "Depth", 0..=MOST_TETRAHEDRON_DEPTH, *depth, set);
+            }
+            _ => {}
         }
     }
-}
-
-fn shape(ui: &mut Ui, fields: &mut Fields<'_>, index: usize, surface: &Surface) {
-    let mut length = |ui: &mut Ui, label: &str, value: f64, remake: fn(&Shape, f64) -> Shape| {
-        fields.number(ui, label, &Number::LENGTH, value, at(index, move |s, v| s.shape = remake(&s.shape, v)));
-    };
-    match surface.shape {
-        Shape::Mesh(ref mesh) => mesh_row(ui, fields, &surface.name, mesh),
-        Shape::Patch { ref control_points } => control_point_rows(ui, fields, index, control_points),
-        Shape::Plane {} => fields.derived(ui, "Extent", "infinite"),
-        Shape::Sphereflake { depth } => {
-            let set = at(index, |surface: &mut Surface, depth| surface.shape = Shape::Sphereflake { depth });
-            fields.whole(ui, "Depth", 0..=MOST_FLAKE_DEPTH, depth, set);
+    let lengths: [(&str, Length); 4] = [("Radius", radius), ("Height", height), ("Width", width), ("Depth", depth)];
+    for (label, length) in lengths {
+        if let Some(values) = surfaces.of_all(|surface| length(&mut surface.shape.clone()).map(|value| *value)) {
+            let set = surfaces.set_each(move |surface, value| {
+                if let Some(length) = length(&mut surface.shape) {
+                    *length = value;
+                }
+            });
+            fields.numbers(ui, label, &Number::LENGTH, &values, set);
         }
-        Shape::Tetrahedron { depth } => {
-            let set = at(index, |surface: &mut Surface, depth| surface.shape = Shape::Tetrahedron { depth });
-            fields.whole(ui, "Depth", 0..=MOST_TETRAHEDRON_DEPTH, depth, set);
-        }
-        Shape::Sphere { radius } => length(ui, "Radius", radius, with_radius),
-        Shape::Disk { radius } => length(ui, "Radius", radius, with_radius),
-        Shape::Cylinder { radius, height } | Shape::Cone { radius, height } => {
-            length(ui, "Radius", radius, with_radius);
-            length(ui, "Height", height, with_height);
-        }
-        Shape::Box { size } => {
-            let set = at(index, |surface: &mut Surface, size| surface.shape = Shape::Box { size });
-            fields.vector(ui, "Size", &Number::LENGTH, size, set);
-        }
-        Shape::Square { size } => {
-            length(ui, "Width", size.x, |shape, x| resized(shape, |size| size.x = x));
-            length(ui, "Depth", size.y, |shape, y| resized(shape, |size| size.y = y));
-        }
+    }
+    let size = |surface: &Surface| if let Shape::Box { size } = surface.shape { Some(size) } else { None };
+    if let Some(sizes) = surfaces.of_all(size) {
+        let set = surfaces.set_each(|surface, size| surface.shape = Shape::Box { size });
+        fields.vectors(ui, "Size", &Number::LENGTH, &sizes, set);
     }
 }
 
@@ -91,10 +93,15 @@ fn mesh_row(ui: &mut Ui, fields: &mut Fields<'_>, surface: &str, mesh: &Mesh) {
 }
 
 /// The control points of a patch, each called by its row and its place in it.
-fn control_point_rows(ui: &mut Ui, fields: &mut Fields<'_>, index: usize, control_points: &[DVec3; 16]) {
+fn control_point_rows(
+    ui: &mut Ui,
+    fields: &mut Fields<'_>,
+    surfaces: &Together<Surface>,
+    control_points: &[DVec3; 16],
+) {
     for (i, p) in control_points.iter().enumerate() {
         let label = format!("Point {} {}", i / 4 + 1, i % 4 + 1);
-        let set = at(index, move |surface: &mut Surface, p| {
+        let set = surfaces.set(move |surface, p| {
             if let Shape::Patch { control_points } = &mut surface.shape {
                 control_points[i] = p;
             }
@@ -103,28 +110,27 @@ fn control_point_rows(ui: &mut Ui, fields: &mut Fields<'_>, index: usize, contro
     }
 }
 
-fn with_radius(shape: &Shape, radius: f64) -> Shape {
-    match *shape {
-        Shape::Sphere { .. } => Shape::Sphere { radius },
-        Shape::Disk { .. } => Shape::Disk { radius },
-        Shape::Cylinder { height, .. } => Shape::Cylinder { radius, height },
-        Shape::Cone { height, .. } => Shape::Cone { radius, height },
-        _ => shape.clone(),
+/// A length of a shape; none where the shape has it not.
+type Length = fn(&mut Shape) -> Option<&mut f64>;
+
+fn radius(shape: &mut Shape) -> Option<&mut f64> {
+    match shape {
+        Shape::Sphere { radius }
+        | Shape::Disk { radius }
+        | Shape::Cylinder { radius, .. }
+        | Shape::Cone { radius, .. } => Some(radius),
+        _ => None,
     }
 }
 
-fn with_height(shape: &Shape, height: f64) -> Shape {
-    match *shape {
-        Shape::Cylinder { radius, .. } => Shape::Cylinder { radius, height },
-        Shape::Cone { radius, .. } => Shape::Cone { radius, height },
-        _ => shape.clone(),
-    }
+fn height(shape: &mut Shape) -> Option<&mut f64> {
+    if let Shape::Cylinder { height, .. } | Shape::Cone { height, .. } = shape { Some(height) } else { None }
 }
 
-fn resized(shape: &Shape, change: impl FnOnce(&mut glam::DVec2)) -> Shape {
-    let mut shape = shape.clone();
-    if let Shape::Square { size } = &mut shape {
-        change(size);
-    }
-    shape
+fn width(shape: &mut Shape) -> Option<&mut f64> {
+    if let Shape::Square { size } = shape { Some(&mut size.x) } else { None }
+}
+
+fn depth(shape: &mut Shape) -> Option<&mut f64> {
+    if let Shape::Square { size } = shape { Some(&mut size.y) } else { None }
 }

@@ -1,10 +1,10 @@
 //! Lights that are dragged to another place in the list.
 
-use egui::{Key, Rect, Stroke, Ui, pos2};
+use egui::{Rect, Ui};
 
 use super::{Ask, INDENT};
 use crate::editor::light_list::{Slot, after};
-use crate::editor::theme;
+use crate::editor::panes::gesture::RowDrag;
 use crate::light::Light;
 
 /// Lights on their way.
@@ -78,24 +78,18 @@ impl Rows {
 /// The line where what is dragged would go; when it is let go, it does.
 pub(super) fn show(ui: &Ui, rows: &Rows, lights: &[Light], drag: &mut Option<Drag>, asked: &mut Vec<Ask>) {
     let Some(dragged) = drag.as_ref() else { return };
-    let (pointer, released, cancelled) =
-        ui.input(|input| (input.pointer.latest_pos(), !input.pointer.primary_down(), input.key_pressed(Key::Escape)));
-    let slot = pointer.and_then(|pointer| rows.slot(lights, pointer.y)).and_then(|(slot, y)| {
+    let row_drag = RowDrag::of(ui);
+    let slot = row_drag.y().and_then(|y| rows.slot(lights, y)).and_then(|(slot, y)| {
         if dragged.group.is_some() && slot.group.is_some() { rows.outside(slot) } else { Some((slot, y)) }
     });
-    if let Some((slot, y)) = slot.filter(|_| !cancelled) {
-        let left = ui.max_rect().left() + if slot.group.is_some() { INDENT } else { 0.0 };
-        let accent = theme::accent(ui.visuals());
-        let painter = ui.ctx().layer_painter(egui::LayerId::new(egui::Order::Foreground, ui.scope_id().with("drop")));
-        painter.hline(left..=ui.max_rect().right(), y, Stroke::new(2.0, accent));
-        painter.circle_filled(pos2(left, y), 3.0, accent);
-        ui.set_cursor_icon(egui::CursorIcon::Grabbing);
-        if released {
+    if let Some((slot, y)) = slot {
+        RowDrag::show_line(ui, ui.max_rect().left() + if slot.group.is_some() { INDENT } else { 0.0 }, y);
+        if row_drag.is_let_go {
             let slot = Slot { group: slot.group.or_else(|| dragged.group.clone()), ..slot };
             asked.push(Ask::Put(dragged.lights.clone(), slot));
         }
     }
-    if released || cancelled {
+    if row_drag.is_over() {
         *drag = None;
     }
 }

@@ -1,5 +1,7 @@
 //! A light's row: name, quantity and unit, colour, links, solo, mute.
 
+use std::cell::Cell;
+
 use egui::containers::menu::{MenuButton, MenuConfig, SubMenuButton};
 use egui::{Button, DragValue, Popup, PopupCloseBehavior, Rect, RichText, Sense, Stroke, Ui, Visuals, vec2};
 use egui_material_icons::icons;
@@ -11,6 +13,7 @@ use crate::editor::panes::look::quantity_name;
 use crate::editor::panes::{icon_button, inspector, links};
 use crate::editor::session::{Item, Session};
 use crate::editor::theme;
+use crate::editor::units::{self, Unit};
 use crate::light::Light;
 
 /// Width of a quantity's value and of its unit, points.
@@ -57,15 +60,25 @@ impl Outliner {
     /// The quantity, to drag or type; with others selected, a drag scales them too, and a number goes to all.
     fn amount(&mut self, ui: &mut Ui, session: &mut Session, index: usize, light: &Light) {
         let (kind, value) = (light.quantity.kind(), light.quantity.value());
+        let typed: Cell<Option<(Unit, f64)>> = Cell::default();
         let mut edited = value;
         let drag = DragValue::new(&mut edited)
             .speed((0.01 * value.abs()).max(0.01))
             .range(0.0..=1e12)
             .clamp_existing_to_range(false)
             .custom_formatter(|value, _| short(value))
+            .custom_parser(|text| {
+                let (number, unit) = units::parse(text)?;
+                let unit = unit.unwrap_or(Unit::Of(kind));
+                let value = units::stated(light, unit, number)?.in_quantity(kind)?;
+                typed.set(Some((unit, number.max(0.0))));
+                Some(value)
+            })
             .update_while_editing(false);
         let name = format!("{} of {}", quantity_name(kind), light.name);
-        let hint = format!("{} in {}: drag, or click and type", quantity_name(kind), kind.unit());
+        let unit = kind.unit();
+        let hint =
+            format!("{} in {unit}: drag, or click and type; 800 lm or 120 lx at 1 m do too", quantity_name(kind));
         let response = ui.add_sized(vec2(AMOUNT[0], ROW - 2.0), drag).on_hover_text(hint).accessible_name(name);
         let drags = response.dragged();
         if !drags && short(edited) == short(value) {
@@ -77,7 +90,8 @@ impl Outliner {
             if drags && value > 0.0 {
                 scale_emission(scene, &lights, edited / value);
             } else {
-                set_emission(scene, &lights, kind, edited);
+                let (unit, number) = typed.get().unwrap_or((Unit::Of(kind), edited));
+                set_emission(scene, &lights, unit, number);
             }
         });
     }

@@ -12,6 +12,7 @@ use self::drop::Drag;
 use super::gesture::Gesture;
 use super::look::{display_color, plain_color};
 use super::menu::{entries, light_icon};
+use super::renaming::Renaming;
 use crate::editor::commands::{Command, LightKind, SurfaceKind};
 use crate::editor::light_list::{self, Entry, Slot};
 use crate::editor::session::{Item, Session};
@@ -27,7 +28,7 @@ const INDENT: f32 = 14.0;
 #[derive(Debug, Default)]
 pub struct Outliner {
     /// The row whose name is being typed.
-    renaming: Option<Renaming>,
+    renaming: Option<Renaming<Named>>,
     /// What the pane's widgets are in the middle of.
     gesture: Gesture,
     /// Lights on their way to another place.
@@ -39,14 +40,6 @@ pub struct Outliner {
 enum Named {
     Item(Item),
     Group(String),
-}
-
-#[derive(Debug)]
-struct Renaming {
-    named: Named,
-    name: String,
-    /// The field has had the focus, so losing it ends the edit.
-    focused: bool,
 }
 
 /// How a click selects.
@@ -65,7 +58,6 @@ enum Ask {
     Select(Vec<Item>, How),
     StartRenaming(Named),
     Rename(Named, String),
-    CancelRenaming,
     Mute(Vec<usize>, bool),
     Solo(Vec<usize>),
     ToggleGroup(String),
@@ -156,20 +148,9 @@ impl Outliner {
         });
     }
 
-    /// The name being typed, if it is that of this row; Enter or a click elsewhere takes it, Esc does not.
+    /// The name being typed, if it is that of this row.
     fn name_field(&mut self, ui: &mut Ui, named: &Named, asked: &mut Vec<Ask>) -> bool {
-        let Some(renaming) = self.renaming.as_mut().filter(|renaming| renaming.named == *named) else { return false };
-        let edit = egui::TextEdit::singleline(&mut renaming.name).desired_width(f32::INFINITY);
-        let response = ui.add(edit).accessible_name("New name");
-        if !renaming.focused {
-            response.request_focus();
-            renaming.focused = true;
-        } else if response.lost_focus() {
-            let cancelled = ui.input(|input| input.key_pressed(egui::Key::Escape));
-            let rename = Ask::Rename(renaming.named.clone(), renaming.name.clone());
-            asked.push(if cancelled { Ask::CancelRenaming } else { rename });
-        }
-        true
+        Renaming::show(&mut self.renaming, ui, named, |named, name| asked.push(Ask::Rename(named, name)))
     }
 
     fn answer(&mut self, ask: Ask, session: &mut Session, commands: &mut Vec<Command>) {
@@ -180,16 +161,10 @@ impl Outliner {
                     Named::Item(item) => item.name(session.scene()).unwrap_or_default().to_owned(),
                     Named::Group(name) => name.clone(),
                 };
-                self.renaming = Some(Renaming { named, name, focused: false });
+                self.renaming = Some(Renaming::new(named, name));
             }
-            Ask::Rename(named, name) => {
-                match named {
-                    Named::Item(item) => session.rename(item, &name),
-                    Named::Group(old) => session.rename_group(&old, &name),
-                }
-                self.renaming = None;
-            }
-            Ask::CancelRenaming => self.renaming = None,
+            Ask::Rename(Named::Item(item), name) => session.rename(item, &name),
+            Ask::Rename(Named::Group(old), name) => session.rename_group(&old, &name),
             Ask::Mute(lights, muted) => session.mute(&lights, muted),
             Ask::Solo(lights) => session.solo(&lights),
             Ask::ToggleGroup(name) => {
@@ -293,7 +268,9 @@ fn context_menu(ui: &mut Ui, session: &Session, item: Item, asked: &mut Vec<Ask>
         asked.push(Ask::StartRenaming(Named::Item(item)));
     }
     let paint = item.has_pattern(session.scene()).then_some(Command::EditPattern);
-    for command in paint.into_iter().chain([Command::Duplicate, Command::Delete, Command::Focus]) {
+    let export = item.light().map(|_| Command::ExportLights);
+    let commands = paint.into_iter().chain([Command::Duplicate, Command::Delete, Command::Focus]).chain(export);
+    for command in commands {
         if ui.button(command.label(session)).clicked() {
             select(asked);
             asked.push(Ask::Command(command));

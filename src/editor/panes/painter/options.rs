@@ -4,7 +4,10 @@ use std::ops::RangeInclusive;
 
 use egui::{ComboBox, DragValue, Grid, Response, Ui, vec2};
 
+use glam::DVec3;
+
 use super::tools::{Ink, Mirrors, Options, PaintTool};
+use crate::editor::panes::bars;
 use crate::light::pattern::paint::fill::Course;
 
 /// Diameters of brushes, texels.
@@ -83,8 +86,10 @@ fn ink(ui: &mut Ui, label: &str, [value, color]: [&str; 2], ink: &mut Ink, enabl
             let drag = DragValue::new(&mut ink.value).range(0.0..=MOST_VALUE).speed(0.005).max_decimals(4);
             let response = ui.add_sized(vec2(WIDTH - 28.0, HEIGHT), drag);
             response.on_hover_text("Share of the light’s luminance; X swaps both").accessible_name(value);
-            let response = ui.color_edit_button_rgb(&mut ink.tint);
-            response.on_hover_text("Tint, linear Rec. 709").accessible_name(color);
+            let mut tint = DVec3::from_array(ink.tint.map(f64::from));
+            if bars::color_button(ui, color, "Tint, linear Rec. 709", &mut tint).changed() {
+                ink.tint = tint.as_vec3().to_array();
+            }
         });
     });
     ui.end_row();

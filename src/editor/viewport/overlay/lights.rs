@@ -25,6 +25,9 @@ const CIRCLE: u32 = 64;
 /// Opacity of lines on a rounded light, within its outline.
 const WITHIN: f32 = 0.45;
 
+/// Opacity of the dark edge beside a line that has none itself.
+const EDGE: f32 = 0.7;
+
 /// What to say about each light.
 struct Look {
     stroke: Stroke,
@@ -40,25 +43,31 @@ struct Name<'a> {
     first: bool,
 }
 
-/// Draw every light: selected ones in `accent`, `hovered` a little stronger; from the middle of flat ones an arrow to the
-/// lit side.
+/// What is marked among the lights, and how.
+#[derive(Clone, Copy, Debug)]
+pub struct Marks<'a> {
+    /// What is selected.
+    pub selection: &'a Selection,
+    /// What is under the pointer.
+    pub hovered: Option<Item>,
+    /// Colour of what is selected.
+    pub accent: Color32,
+    /// The picture may be white, where lines need dark edges.
+    pub on_bright: bool,
+}
+
+/// Draw every light: selected ones in the accent, the hovered one a little stronger; from the middle of flat ones an arrow
+/// to the lit side.
 ///
 /// Names are given to what is selected or hovered, and to all lights when there are few. They lie beside each other where
 /// they can.
-pub fn paint_lights(
-    scene: &Scene,
-    selection: &Selection,
-    hovered: Option<Item>,
-    accent: Color32,
-    solids: &Solids,
-    projection: &Projection,
-    painter: &Painter,
-) {
+pub fn paint_lights(scene: &Scene, marks: &Marks<'_>, solids: &Solids, projection: &Projection, painter: &Painter) {
+    let Marks { selection, accent, on_bright, .. } = *marks;
     let few = scene.lights.len() <= 8;
     let mut names = Vec::new();
     for (i, light) in scene.lights.iter().enumerate() {
         let item = Item::Light(i);
-        let (selected, hovered) = (selection.contains(item), hovered == Some(item));
+        let (selected, hovered) = (selection.contains(item), marks.hovered == Some(item));
         let color = if selected { accent } else { Color32::from_rgb(0xe8, 0xea, 0xee) };
         let color = if light.muted { color.gamma_multiply(0.45) } else { color };
         let stroke = match (selected, hovered) {
@@ -66,7 +75,7 @@ pub fn paint_lights(
             (false, true) => Stroke::new(1.75, color),
             (false, false) => Stroke::new(1.0, color.gamma_multiply(0.6)),
         };
-        let anchor = Painted { solids, projection, painter }.light(light, &Look { stroke, selected });
+        let anchor = Painted { solids, projection, painter, on_bright }.light(light, &Look { stroke, selected });
         let first = selected || hovered;
         if let Some(at) = anchor.filter(|at| (few || first) && painter.clip_rect().contains(*at)) {
             let color = if selected { color } else { TEXT.gamma_multiply(if light.muted { 0.5 } else { 0.85 }) };
@@ -91,6 +100,7 @@ struct Painted<'a> {
     solids: &'a Solids,
     projection: &'a Projection,
     painter: &'a Painter,
+    on_bright: bool,
 }
 
 impl Painted<'_> {
@@ -142,7 +152,7 @@ impl Painted<'_> {
     fn far(&self, light: &Light, look: &Look) -> Option<Pos2> {
         let symbol = Symbol::new(light, self.projection);
         let lines = symbol.lines(&light.shape);
-        lines.iter().for_each(|[a, b]| line(*a, *b, look.stroke, self.projection, self.painter));
+        lines.iter().for_each(|[a, b]| self.straight(*a, *b, look.stroke));
         if matches!(light.shape, Shape::Cap(_)) {
             self.point(symbol.tip(), look.stroke);
             self.direction(symbol.tip(), (light.position - symbol.tip()).normalize_or(DVec3::NEG_Z), look.stroke);
@@ -173,7 +183,7 @@ impl Painted<'_> {
             let faint = hidden(from);
             let to = (from + 1..TESTS).find(|i| hidden(*i) != faint).unwrap_or(TESTS);
             let color = if faint { stroke.color.gamma_multiply(HIDDEN) } else { stroke.color };
-            line(at(from), at(to), Stroke::new(stroke.width, color), self.projection, self.painter);
+            self.straight(at(from), at(to), Stroke::new(stroke.width, color));
             from = to;
         }
     }
@@ -225,8 +235,17 @@ impl Painted<'_> {
         for [a, b] in closed(points) {
             let faint = self.solids.hide(eye, a.midpoint(b));
             let color = if faint { stroke.color.gamma_multiply(HIDDEN) } else { stroke.color };
-            line(a, b, Stroke::new(stroke.width, color), self.projection, self.painter);
+            self.straight(a, b, Stroke::new(stroke.width, color));
         }
+    }
+
+    /// A straight line of the world, with a dark edge where the picture may be white.
+    fn straight(&self, a: DVec3, b: DVec3, stroke: Stroke) {
+        if self.on_bright {
+            let edge = Color32::BLACK.gamma_multiply(EDGE * f32::from(stroke.color.a()) / 255.0);
+            line(a, b, Stroke::new(stroke.width + 2.0, edge), self.projection, self.painter);
+        }
+        line(a, b, stroke, self.projection, self.painter);
     }
 
     /// A small sun.

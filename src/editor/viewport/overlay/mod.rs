@@ -11,7 +11,7 @@ pub use draft::{Cursor, paint_draft};
 pub use fit::paint_fit;
 pub use gnomon::paint_gnomon;
 pub use grid::{Grid, paint_work_plane};
-pub use lights::{paint_lights, paint_outline};
+pub use lights::{Marks, paint_lights, paint_outline};
 pub use probe::{NORMAL as PROBE_NORMAL, paint_probe, paint_probe_at};
 
 use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Stroke, Vec2, vec2};
@@ -23,7 +23,7 @@ use super::projection::Projection;
 /// A line that may not be, or a shape that is refused.
 pub const REFUSED: Color32 = Color32::from_rgb(0xff, 0x45, 0x45);
 /// Names and numbers.
-const TEXT: Color32 = Color32::from_rgb(0xf0, 0xf2, 0xf4);
+pub const TEXT: Color32 = Color32::from_rgb(0xf0, 0xf2, 0xf4);
 
 /// Behind small text and numbers.
 pub const PLATE: Color32 = Color32::from_black_alpha(165);
