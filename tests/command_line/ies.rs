@@ -11,7 +11,9 @@ fn a_windows_file_lights_a_floor_as_the_window_does_far_away() {
     let exported = run(&["export", WINDOW, "-o", shown(&output), "--light", "window"]);
     check_done(&exported);
     assert!(text(&exported.stderr).contains("within 1 % from"), "{}", text(&exported.stderr));
-    let scene = |light: &str| format!("format = 1\n[[light]]\nname = \"a\"\nposition = [0.0, 0.0, 60.0]\n{light}\n");
+    let matt = "[[material]]\nname = \"matt\"\ndiffuse = [1.0, 1.0, 1.0]\nspecular = [0.0, 0.0, 0.0]\nexponent = 1.0\n";
+    let scene =
+        |light: &str| format!("format = 1\n{matt}[[light]]\nname = \"a\"\nposition = [0.0, 0.0, 60.0]\n{light}\n");
     let window = "luminance = 1000.0\n\
                   shape = { polygon = { vertices = [[-1.0, -0.5], [1.0, -0.5], [1.0, 0.5], [-1.0, 0.5]] } }";
     fs::write(folder.path().join("near.toml"), scene(window)).expect("the folder is writable");
