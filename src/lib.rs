@@ -15,7 +15,7 @@
 //! | [`scene`] | the document: load, save, validate, edit, history |
 //! | [`render`] | CPU pictures |
 //! | [`analysis`] | curves, errors, cost |
-//! | `gpu` (feature `gpu`) | the live preview, in layers |
+//! | [`gpu`] | shaders, and with the feature `gpu` the live preview, in layers |
 //! | [`import`] | what others wrote, read as scenes and light presets |
 //! | [`export`] | what leaves the program |
 //! | [`cli`] | one file a subcommand |
@@ -33,6 +33,7 @@ pub mod analysis;
 pub mod cli;
 pub mod contents;
 pub mod export;
+pub mod gpu;
 pub mod import;
 pub mod light;
 pub mod math;
@@ -42,9 +43,6 @@ pub mod scene;
 pub mod shading;
 pub mod surface;
 pub mod visibility;
-
-#[cfg(feature = "gpu")]
-pub mod gpu;
 
 #[cfg(feature = "gui")]
 pub mod editor;

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use super::lights::{LightData, Responder};
 use super::pass::{self, Binding, Target};
-use super::table::Tables;
+use super::tables::Tables;
 
 /// Irradiance and specular response.
 pub(crate) const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rg32Float;

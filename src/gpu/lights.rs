@@ -122,6 +122,16 @@ impl Responder {
         Self { modules: &[Module::POINT, Module::SPHERE, Module::CAP], function }
     }
 
+    /// What answers for any exponent without the tables that are made of one.
+    pub(crate) fn for_any_exponent(self) -> Self {
+        if self == Self::LINE_EXACT { Self::LINE_EXACT_DECAYING } else { self }
+    }
+
+    /// Whether it has the lobe's Chebyshev fit.
+    pub(crate) fn reads_fits(self) -> bool {
+        matches!(self, Self::LINE_CHEBYSHEV | Self::LINE_CHEBYSHEV_LONG | Self::LINE_CHEBYSHEV_DECAYING)
+    }
+
     /// The whole shader of a layer; of a matte scene, its specular part is 0, and what it would take is not computed.
     pub(crate) fn source(&self, matte: bool) -> Source {
         let modules = [&[Module::FULLSCREEN, Module::COMMON], self.modules, &[Module::LAYER]].concat();

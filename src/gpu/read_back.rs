@@ -49,7 +49,7 @@ pub(crate) fn pixels(
 }
 
 /// All texels of a texture, each of type `T`.
-fn texture<T: bytemuck::Pod>(
+pub(crate) fn texture<T: bytemuck::Pod>(
     device: &wgpu::Device,
     queue: &wgpu::Queue,
     texture: &wgpu::Texture,

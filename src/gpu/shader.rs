@@ -1,7 +1,5 @@
 //! Shaders, joined from plain `.wgsl` files, with a map from their lines to files.
 
-use std::fmt::Write as _;
-
 /// One `.wgsl` file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct Module {
@@ -87,8 +85,27 @@ modules! {
     SURVEY = "survey.wgsl";
 }
 
-#[cfg(test)]
 impl Module {
+    /// Those of lights, each after those that it uses.
+    pub(crate) const LIGHTS: &[Self] = &[
+        Self::COMMON,
+        Self::POINT,
+        Self::WEB,
+        Self::FIT,
+        Self::CLUSTER,
+        Self::LINE,
+        Self::CONTOUR,
+        Self::POLYGON,
+        Self::ONE_SHOT,
+        Self::SPHERE,
+        Self::TEXTURED,
+        Self::CAP,
+        Self::SKY,
+        Self::DISK,
+        Self::DISK_PHONG,
+    ];
+
+    #[cfg(test)]
     pub(crate) fn name(&self) -> &'static str {
         self.name
     }
@@ -147,7 +164,10 @@ impl Source {
         let part = self.parts.iter().rev().find(|(_, first)| *first <= line);
         part.map_or(("shader", line), |(name, first)| (name, line - first + 1))
     }
+}
 
+#[cfg(feature = "gpu")]
+impl Source {
     /// The shader module.
     ///
     /// # Panics
@@ -167,6 +187,7 @@ impl Source {
     }
 
     fn describe(&self, info: &wgpu::CompilationInfo, error: &wgpu::Error) -> String {
+        use std::fmt::Write as _;
         let mut text = String::new();
         for message in &info.messages {
             if let Some(location) = message.location {

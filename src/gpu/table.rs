@@ -1,9 +1,9 @@
-//! Large tables that layers read, shared by the lights and the frames that have them.
+//! Large tables that light shaders read.
 
 use std::sync::Arc;
 
 use super::types::f32_of;
-use super::{pass, shadows, textured};
+use super::{cells, textured};
 use crate::light::pattern::Channel;
 use crate::light::photometry::Distribution;
 use crate::shading::one_shot::{Kernel, Prefiltered};
@@ -42,7 +42,7 @@ impl Table {
         match self {
             Self::None => vec![0.0],
             Self::Parts(channel) => textured::parts(channel),
-            Self::Cells(channel) => shadows::cells(channel),
+            Self::Cells(channel) => cells::cells(channel),
             Self::Web(web) => {
                 let numbers = [web.gammas(), web.planes(), web.shares()].into_iter().flatten();
                 numbers.copied().map(f32_of).collect()
@@ -52,27 +52,5 @@ impl Table {
                 pattern.mipmap().levels().iter().flatten().copied().map(f32_of).collect()
             }
         }
-    }
-}
-
-/// Tables that are kept on the device.
-const KEPT: usize = 16;
-
-/// The tables that layers used last, on a device.
-#[derive(Debug, Default)]
-pub(crate) struct Tables(Vec<(Table, wgpu::Buffer)>);
-
-impl Tables {
-    /// The buffer of a table, made where it is not kept.
-    pub(crate) fn buffer(&mut self, device: &wgpu::Device, table: &Table) -> wgpu::Buffer {
-        let entry = match self.0.iter().position(|(kept, _)| kept == table) {
-            Some(i) => self.0.remove(i),
-            None => (table.clone(), pass::storage(device, &table.numbers())),
-        };
-        let buffer = entry.1.clone();
-        self.0.push(entry);
-        let excess = self.0.len().saturating_sub(KEPT);
-        self.0.drain(..excess);
-        buffer
     }
 }

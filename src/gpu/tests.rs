@@ -58,6 +58,14 @@ fn every_module_is_in_a_shader() {
 }
 
 #[test]
+fn every_module_of_a_light_is_among_those_of_lights() {
+    for responder in Responder::ALL {
+        let missing: Vec<_> = responder.modules.iter().filter(|module| !Module::LIGHTS.contains(module)).collect();
+        assert!(missing.is_empty(), "{}: {missing:?}", responder.function);
+    }
+}
+
+#[test]
 fn structures_are_laid_out_as_in_wgsl() {
     let mut found = HashMap::new();
     for source in every_source() {

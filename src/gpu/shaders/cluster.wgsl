@@ -22,8 +22,8 @@ const DIRECTIONS = 4u;
 fn cluster_respond(at: Shading) -> Response {
     var sum = Response(0.0, 0.0);
     for (var i = 0u; i < cluster_light.count; i++) {
-        let to_light = vertices[i].xyz - select(at.p, vec3f(), cluster_light.emission == DIRECTIONS);
-        let intensity = vertices[i].w * emission_cosine(to_light);
+        let to_light = light_vertex(i).xyz - select(at.p, vec3f(), cluster_light.emission == DIRECTIONS);
+        let intensity = light_vertex(i).w * emission_cosine(to_light);
         let response = falloff_response(to_light, intensity, cluster_light.falloff, at.n, at.r, at.lobe);
         sum.irradiance += response.irradiance;
         sum.specular += response.specular;

@@ -19,12 +19,17 @@ fn shading_at(p: vec3f, normal: vec4f) -> Shading {
     let n = normal.xyz;
     let lobe = u32(normal.w);
     let v = -normalize(p);
-    let along_normal = dot(n, v) * n;
     if lobes[lobe].model == LAFORTUNE {
+        let along_normal = dot(n, v) * n;
         let q = lafortune_axis(lobe, v - along_normal, along_normal);
         return Shading(p, n, q * inverseSqrt(max(dot(q, q), 1e-30)), lobe);
     }
-    return Shading(p, n, 2.0 * along_normal - v, lobe);
+    return Shading(p, n, mirrored(v, n), lobe);
+}
+
+// The direction into which the unit direction v is mirrored.
+fn mirrored(v: vec3f, n: vec3f) -> vec3f {
+    return 2.0 * dot(n, v) * n - v;
 }
 
 // The axis of Lafortune's lobe, whose length raised to the exponent is its factor.
@@ -68,6 +73,21 @@ const COOK_TORRANCE = 3u;
 
 // Vertices of the light, or its cluster's points.
 @group(1) @binding(1) var<storage, read> vertices: array<vec4f>;
+
+fn light_vertex(i: u32) -> vec4f {
+    return vertices[i];
+}
+
+// What else there is to know of the light; `gpu::table` makes it.
+@group(1) @binding(2) var<storage, read> table: array<f32>;
+
+fn table_number(i: u32) -> f32 {
+    return table[i];
+}
+
+fn table_length() -> u32 {
+    return arrayLength(&table);
+}
 
 // (m + 1) / 2π: what makes the lobe's integral over its hemisphere 1.
 fn lobe_normalization(m: f32) -> f32 {
@@ -121,12 +141,17 @@ fn arctangent(y: f32, x: f32) -> f32 {
     return select(angle, -angle, y < 0.0);
 }
 
+// Phong's ρ in the unit direction w, 1/sr.
+fn phong_density(m: f32, r: vec3f, w: vec3f) -> f32 {
+    return lobe_normalization(m) * lobe_power(r, w, m);
+}
+
 // ρ in the unit direction w, 1/sr; of Lafortune's lobe about its axis r, without its factor.
 fn lobe_density(lobe: u32, n: vec3f, r: vec3f, w: vec3f) -> f32 {
     let m = lobes[lobe].exponent;
     let model = lobes[lobe].model;
     if model <= LAFORTUNE {
-        return lobe_normalization(m) * lobe_power(r, w, m);
+        return phong_density(m, r, w);
     }
     let sum = 2.0 * dot(n, r) * n - r + w;
     let h = sum * inverseSqrt(max(dot(sum, sum), 1e-30));

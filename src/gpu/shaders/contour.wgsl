@@ -10,7 +10,7 @@ struct Corners {
 
 // Corner i about p; the first again after the last.
 fn corner(corners: Corners, i: u32) -> vec3f {
-    return vertices[corners.first + select(i, 0u, i == corners.count)].xyz - corners.p;
+    return light_vertex(corners.first + select(i, 0u, i == corners.count)).xyz - corners.p;
 }
 
 // A vector as scale·(whole/2²⁴ + rest), its greatest component from 1 to 2 times the scale, a power of two.

@@ -12,12 +12,12 @@ struct FitLight {
 fn fit_respond(at: Shading) -> Response {
     var sum = Response(0.0, 0.0);
     for (var i = 0u; i < fit_light.count; i++) {
-        let light = vertices[2u * i];
+        let light = light_vertex(2u * i);
         var response: Response;
         if fit_light.is_far == 1u {
             response = direction_response(light.xyz, light.w, at.n, at.r, at.lobe);
         } else {
-            response = spot_response(light.xyz - at.p, light.w, vertices[2u * i + 1u], at.n, at.r, at.lobe);
+            response = spot_response(light.xyz - at.p, light.w, light_vertex(2u * i + 1u), at.n, at.r, at.lobe);
         }
         sum.irradiance += response.irradiance;
         sum.specular += response.specular;

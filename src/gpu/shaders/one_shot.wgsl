@@ -21,8 +21,8 @@ struct OneShotLight {
 }
 
 @group(1) @binding(0) var<uniform> one_shot_light: OneShotLight;
-// The disk kernel's sums, level by level for each sample; or the mipmap, level by level.
-@group(1) @binding(2) var<storage, read> table: array<f32>;
+
+// The table holds the disk kernel's sums, level by level for each sample; or the mipmap, level by level.
 
 // Texels along a side of the pattern, and half of them.
 const SIDE = 128u;
@@ -184,8 +184,8 @@ fn disk_level(column: u32, row: u32, square_radius: f32) -> f32 {
     let level = min(half_exponent(square), LEVELS - 2u);
     let below = exp2(2.0 * f32(level));
     let share = clamp((square - below) / (3.0 * below), 0.0, 1.0);
-    let sum = mix(table[first + level], table[first + level + 1u], share);
-    return select(sum, square * table[first], square < 1.0);
+    let sum = mix(table_number(first + level), table_number(first + level + 1u), share);
+    return select(sum, square * table_number(first), square < 1.0);
 }
 
 // ⌊log₄ x⌋ for x ≥ 1, else 0.
@@ -222,7 +222,7 @@ fn square_sum(at: vec2f, radius: f32) -> f32 {
     let side = 2.0 * radius;
     if side >= f32(SIDE) {
         let covered = clamp((vec2f(radius + HALF) - abs(at)) / f32(SIDE), vec2f(), vec2f(1.0));
-        return table[mipmap_offset(HALVINGS)] * f32(SIDE * SIDE) * covered.x * covered.y;
+        return table_number(mipmap_offset(HALVINGS)) * f32(SIDE * SIDE) * covered.x * covered.y;
     }
     let square = side * side;
     let level = min(half_exponent(square), HALVINGS - 1u);
@@ -253,5 +253,5 @@ fn mipmap_texel(level: u32, place: vec2f) -> f32 {
     let side = SIDE >> level;
     let inside = all(place >= vec2f()) && all(place < vec2f(f32(side)));
     let texel = vec2u(clamp(place, vec2f(), vec2f(f32(side) - 1.0)));
-    return select(0.0, table[mipmap_offset(level) + texel.y * side + texel.x], inside);
+    return select(0.0, table_number(mipmap_offset(level) + texel.y * side + texel.x), inside);
 }

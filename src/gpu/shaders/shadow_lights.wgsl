@@ -1,7 +1,6 @@
 // Points of a light as rays look for them: drawn at random, or met in a direction.
 
-// Of a textured light: columns and rows of its cells and of its texels, the cells' sums and the texels.
-@group(1) @binding(2) var<storage, read> table: array<f32>;
+// Of a textured light the table holds columns and rows of its cells and of its texels, the cells' sums and the texels.
 
 // A point of a light.
 struct LightPoint {

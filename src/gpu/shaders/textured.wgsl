@@ -17,9 +17,9 @@ struct TexturedLight {
 }
 
 @group(1) @binding(0) var<uniform> textured_light: TexturedLight;
-// The parts, each followed by its halves: where it starts and ends along the rows and the columns, which part follows
-// when it is not opened, its flux; and its texels gathered on 4 × 4 Chebyshev nodes.
-@group(1) @binding(2) var<storage, read> table: array<f32>;
+
+// The table holds the parts, each followed by its halves: where it starts and ends along the rows and the columns, which
+// part follows when it is not opened, its flux; and its texels gathered on 4 × 4 Chebyshev nodes.
 
 const PART = 24u;
 const WEIGHTS = 8u;
@@ -60,21 +60,21 @@ fn textured_response(light: TexturedLight, n: vec3f, r: vec3f, m: f32) -> Respon
         return sum;
     }
     let area = length(light.row) * length(light.column);
-    let flux = table[5] * area;
+    let flux = table_number(5) * area;
     let centre = light.corner + 0.5 * (light.row + light.column);
     let distance = length(centre);
     // About what the whole gives where it faces, and no more than an endless light of its mean.
-    let facing = min(flux * height / (distance * distance * distance), table[5]);
-    let peak = min(facing * lobe_normalization(m), table[5]);
+    let facing = min(flux * height / (distance * distance * distance), table_number(5));
+    let peak = min(facing * lobe_normalization(m), table_number(5));
     let view = TexturedView(light, height, area, n, r, m, light.negligible * vec2f(facing, peak));
-    let count = arrayLength(&table) / PART;
+    let count = table_length() / PART;
     var i = 0u;
     while i < count {
         let first = i * PART;
-        let low = vec2f(table[first], table[first + 1u]);
-        let high = vec2f(table[first + 2u], table[first + 3u]);
-        let next = u32(table[first + 4u]);
-        let state = part_state(view, low, high, table[first + 5u]);
+        let low = vec2f(table_number(first), table_number(first + 1u));
+        let high = vec2f(table_number(first + 2u), table_number(first + 3u));
+        let next = u32(table_number(first + 4u));
+        let state = part_state(view, low, high, table_number(first + 5u));
         i += 1u;
         if state == SMALL {
             sum = added(sum, gathered_response(view, low, high, first + WEIGHTS));
@@ -82,7 +82,7 @@ fn textured_response(light: TexturedLight, n: vec3f, r: vec3f, m: f32) -> Respon
         } else if state == DARK {
             i = next;
         } else if i == next {
-            sum = added(sum, even_response(view, low, high, table[first + 5u]));
+            sum = added(sum, even_response(view, low, high, table_number(first + 5u)));
         }
     }
     return sum;
@@ -148,7 +148,7 @@ fn gathered_response(view: TexturedView, low: vec2f, high: vec2f, first: u32) ->
     var sum = Response(0.0, 0.0);
     for (var k = 0u; k < 16u; k++) {
         let at = mix(low, high, 0.5 + 0.5 * vec2f(nodes[k & 3u], nodes[k >> 2u]));
-        sum = added(sum, point_of(view, at, table[first + k]));
+        sum = added(sum, point_of(view, at, table_number(first + k)));
     }
     return sum;
 }

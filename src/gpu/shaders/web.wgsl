@@ -14,8 +14,8 @@ struct WebLight {
 }
 
 @group(1) @binding(0) var<uniform> web_light: WebLight;
-// The angles γ, then the planes C, radians; then the shares by planes.
-@group(1) @binding(2) var<storage, read> table: array<f32>;
+
+// The table holds the angles γ, then the planes C, radians; then the shares by planes.
 
 fn web_respond(at: Shading) -> Response {
     let to_light = web_light.position - at.p;
@@ -33,18 +33,18 @@ fn web_intensity(direction: vec3f) -> f32 {
 
 fn web_share(c: f32, gamma: f32) -> f32 {
     let rows = web_light.gammas;
-    if gamma < table[0] || gamma > table[rows - 1u] {
+    if gamma < table_number(0) || gamma > table_number(rows - 1u) {
         return 0.0;
     }
     let row = web_place(0u, rows, gamma);
     let plane = web_place(rows, web_light.planes, c);
     let along = web_part(row, gamma);
     let first = rows + web_light.planes + (plane - rows) * rows + row;
-    let here = mix(table[first], table[first + 1u], along);
+    let here = mix(table_number(first), table_number(first + 1u), along);
     if web_light.planes == 1u {
         return here;
     }
-    let next = mix(table[first + rows], table[first + rows + 1u], along);
+    let next = mix(table_number(first + rows), table_number(first + rows + 1u), along);
     return mix(here, next, web_part(plane, c));
 }
 
@@ -54,7 +54,7 @@ fn web_place(first: u32, count: u32, angle: f32) -> u32 {
     var high = first + max(count, 2u) - 1u;
     while high - low > 1u {
         let middle = (low + high) / 2u;
-        if table[middle] <= angle {
+        if table_number(middle) <= angle {
             low = middle;
         } else {
             high = middle;
@@ -65,5 +65,5 @@ fn web_place(first: u32, count: u32, angle: f32) -> u32 {
 
 // An angle's part of the piece that begins there.
 fn web_part(place: u32, angle: f32) -> f32 {
-    return clamp((angle - table[place]) / (table[place + 1u] - table[place]), 0.0, 1.0);
+    return clamp((angle - table_number(place)) / (table_number(place + 1u) - table_number(place)), 0.0, 1.0);
 }
