@@ -10,6 +10,7 @@ pub mod error_map;
 pub mod exr;
 mod facets;
 mod gloss;
+mod glsl;
 mod gltf;
 mod ies;
 mod job;
@@ -21,11 +22,13 @@ mod plots;
 pub mod png;
 pub mod preflight;
 mod radiance;
+mod shader;
 pub mod sheet;
 pub mod svg;
 mod target;
 mod texture;
 mod usda;
+mod wgsl;
 
 pub use job::{ExportError, Exported, File, Job, Options};
 pub use preflight::{Fate, Remark};
@@ -49,5 +52,7 @@ pub fn export(job: &Job, progress: &Progress) -> Result<Exported, ExportError> {
         Target::Json => json::write(job, progress),
         Target::Csv | Target::Svg => plots::write(job, progress),
         Target::Png | Target::Exr => picture::write(job, progress),
+        Target::Wgsl => wgsl::write(job, progress),
+        Target::Glsl => glsl::write(job, progress),
     }
 }

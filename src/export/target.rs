@@ -18,6 +18,10 @@ pub enum Target {
     Blender,
     /// Candela of the lights, ANSI/IESNA LM-63-2002.
     Ies,
+    /// Functions of the lights.
+    Wgsl,
+    /// The same in another language.
+    Glsl,
     /// The scene, for scripts.
     Json,
     /// The plots' numbers.
@@ -32,13 +36,15 @@ pub enum Target {
 
 impl Target {
     /// All of them, as lists show them.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 13] = [
         Self::Usda,
         Self::Gltf,
         Self::Mitsuba,
         Self::Radiance,
         Self::Blender,
         Self::Ies,
+        Self::Wgsl,
+        Self::Glsl,
         Self::Json,
         Self::Csv,
         Self::Svg,
@@ -55,6 +61,8 @@ impl Target {
             Self::Radiance => "radiance",
             Self::Blender => "blender",
             Self::Ies => "ies",
+            Self::Wgsl => "wgsl",
+            Self::Glsl => "glsl",
             Self::Json => "json",
             Self::Csv => "csv",
             Self::Svg => "svg",
@@ -82,6 +90,8 @@ impl Target {
             Self::Radiance => "Radiance: a scene",
             Self::Blender => "Blender: a script that builds the scene",
             Self::Ies => "IES (LM-63): the lights as one luminaire from far away",
+            Self::Wgsl => "WGSL: shader functions of the lights",
+            Self::Glsl => "GLSL: shader functions of the lights",
             Self::Json => "JSON: the scene, for scripts",
             Self::Csv => "CSV: the plots' numbers",
             Self::Svg => "SVG: the plots",

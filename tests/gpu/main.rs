@@ -7,6 +7,7 @@ mod agreement;
 #[path = "../closed_form/cases.rs"]
 mod cases;
 mod displays;
+mod exported;
 mod shadows;
 mod textured;
 mod tracking;
