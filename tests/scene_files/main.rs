@@ -1,5 +1,6 @@
 //! Scene files: loading, refusing, saving, merging, and the presets.
 
+mod exports;
 mod merging;
 mod painted;
 mod patterns;

@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use glam::{DAffine3, DMat3, DVec2, DVec3, dvec2};
 
-use super::prim::Prim;
+use super::prim::{Prim, Value};
 use super::stage::{Found, Reader, has_light_api};
 use crate::light::photometry::Photometry;
 use crate::light::{
@@ -74,7 +74,7 @@ impl Reader<'_> {
             Light { quantity, tint: self.tint(prim), ..Light::new("", shaped.shape) }
         };
         (light.position, light.rotation_deg) = (position, tidy(deg_from_rotation(rotation)));
-        light.group = prim.property("softbox:group").and_then(|group| group.value.text()).map(str::to_owned);
+        light.group = prim.group();
         self.remark_on_extras(prim);
         Some(light)
     }
@@ -266,23 +266,19 @@ impl Reader<'_> {
             let what = match name {
                 "shaping:cone:angle" if property.value.number().is_none_or(|angle| angle < 180.0) => "a cone",
                 "shaping:focus" if !is(0.0) => "a focus",
-                "shaping:ies:file" if !prim.is_on("treatAsPoint") => "an IES profile, which only points have here",
+                "shaping:ies:file" if !prim.is_on("treatAsPoint") => "an IES profile on what is no point",
                 "shadow:enable" if !is(1.0) => "shadows switched off",
                 "diffuse" | "specular" if !is(1.0) => "another strength for one kind of reflection",
                 "light:filters" => "filters",
                 "collection:lightLink:includes" | "collection:lightLink:excludes" => "links to surfaces",
                 _ if name.ends_with(".connect") => "a connected input",
-                _ if matches!(property.value, super::prim::Value::Samples(_)) => {
-                    "an animated value, of which the first counts"
+                _ if matches!(property.value, Value::Samples(_)) => {
+                    self.remark_on(prim, property.line, "has an animated value, of which the first counts");
+                    continue;
                 }
                 _ => continue,
             };
-            let what = if what.contains("animated") {
-                format!("has {what}")
-            } else {
-                format!("has {what}, which is left out")
-            };
-            self.remark_on(prim, property.line, &what);
+            self.remark_on(prim, property.line, &format!("has {what}, which is left out"));
         }
     }
 }

@@ -8,10 +8,25 @@ use super::light::{rigid, tidy};
 use super::prim::{Prim, Value};
 use super::stage::{Found, Reader};
 use crate::light::{Light, Polygon, Quantity, QuantityKind, Shape};
-use crate::math::frame::deg_from_rotation;
+use crate::math::frame::{deg_from_rotation, facing};
 
 /// How far corners may lie off their plane, as a share of the mesh's size.
 const FLAT: f64 = 1e-6;
+
+/// Outlines with more corners are not read.
+const MOST_CORNERS: usize = 4096;
+
+/// A flat mesh in the world.
+struct Flat {
+    /// Its outline, in the sense of its faces.
+    corners: Vec<DVec3>,
+    /// To where it shines.
+    normal: DVec3,
+    /// The middle of the corners.
+    position: DVec3,
+    /// How far the farthest lies from there.
+    size: f64,
+}
 
 /// Faces by the corners' indices.
 type Faces = Vec<Vec<usize>>;
@@ -20,43 +35,19 @@ impl Reader<'_> {
     /// A flat mesh as a polygon; it shines to where its faces turn counter-clockwise.
     pub(super) fn mesh_light(&mut self, found: &Found<'_>, world_from_light: &DAffine3) -> Option<Light> {
         let prim = found.prim;
-        let Some((points, faces)) = faces_of(prim) else {
-            self.remark_on(prim, prim.line, "has no faces that could shine; it is left out");
-            return None;
+        let Flat { corners, normal, position, size } = match flat(prim, world_from_light) {
+            Ok(flat) => flat,
+            Err(why) => {
+                self.remark_on(prim, prim.line, &format!("{why}; it is left out"));
+                return None;
+            }
         };
-        let Some(outline) = outline(&faces) else {
-            self.remark_on(prim, prim.line, "has no single outline, so that it is no polygon; it is left out");
-            return None;
-        };
-        let corners: Vec<DVec3> = outline.iter().map(|i| world_from_light.transform_point3(points[*i])).collect();
-        let mirrored = world_from_light.matrix3.determinant() < 0.0;
-        let left_handed = prim.property("orientation").is_some_and(|p| p.value.text() == Some("leftHanded"));
-        let lit = if mirrored != left_handed { -vector_area(&corners) } else { vector_area(&corners) };
-        let Some(normal) = lit.try_normalize() else {
-            self.remark_on(prim, prim.line, "has no area, and is left out");
-            return None;
-        };
-        let (position, size) = middle(&corners);
-        let used = faces.iter().flatten().map(|i| world_from_light.transform_point3(points[*i]));
-        if used.map(|p| (p - position).dot(normal).abs()).fold(0.0, f64::max) > FLAT * size {
-            self.remark_on(prim, prim.line, "is not flat, so that it is no polygon; it is left out");
-            return None;
-        }
-        // The light's own axes where its normal is theirs, so that its corners stay as they are.
+        // The mesh's own frame where that lies in its plane, so that its corners stay as they are.
         let (own, _) = rigid(world_from_light);
-        let rotation = if (own.z_axis + normal).length() < FLAT {
-            own
-        } else {
-            let x = normal.any_orthonormal_vector();
-            glam::DMat3::from_cols(x, (-normal).cross(x), -normal)
-        };
-        let origin = if (own.z_axis + normal).length() < FLAT
-            && (world_from_light.translation - position).dot(normal).abs() <= FLAT * size
-        {
-            world_from_light.translation
-        } else {
-            position
-        };
+        let has_own_axes = (own.z_axis + normal).length() < FLAT;
+        let is_in_plane = (world_from_light.translation - position).dot(normal).abs() <= FLAT * size;
+        let rotation = if has_own_axes { own } else { facing(-normal) };
+        let origin = if has_own_axes && is_in_plane { world_from_light.translation } else { position };
         let local = |p: &DVec3| {
             let p = rotation.transpose() * (*p - origin);
             DVec2::new(p.x, p.y)
@@ -75,9 +66,32 @@ impl Reader<'_> {
         let mut light = Light::new("", Shape::Polygon(polygon));
         (light.position, light.rotation_deg) = (tidy(origin), tidy(deg_from_rotation(rotation)));
         (light.quantity, light.tint) = (Quantity::new(QuantityKind::Luminance, luminance), self.tint(prim));
-        light.group = prim.property("softbox:group").and_then(|group| group.value.text()).map(str::to_owned);
+        light.group = prim.group();
         self.remark_on_extras(prim);
         Some(light)
+    }
+}
+
+/// The outline of a mesh that could be a polygon; or why there is none.
+fn flat(prim: &Prim, world_from_light: &DAffine3) -> Result<Flat, &'static str> {
+    let (points, faces) = faces_of(prim).ok_or("has no faces that could shine")?;
+    let outline = outline(&faces).ok_or("has no single outline, so that it is no polygon")?;
+    if outline.len() > MOST_CORNERS {
+        return Err("has more corners than a polygon should");
+    }
+    let place = |i: &usize| world_from_light.transform_point3(points[*i]);
+    let corners: Vec<DVec3> = outline.iter().map(place).collect();
+    let mirrored = world_from_light.matrix3.determinant() < 0.0;
+    let left_handed = prim.property("orientation").is_some_and(|p| p.value.text() == Some("leftHanded"));
+    let lit = if mirrored != left_handed { -vector_area(&corners) } else { vector_area(&corners) };
+    let normal = lit.try_normalize().ok_or("has no area")?;
+    let position = corners.iter().sum::<DVec3>() / corners.len() as f64;
+    let size = corners.iter().map(|corner| corner.distance(position)).fold(0.0, f64::max);
+    let off = faces.iter().flatten().map(|i| (place(i) - position).dot(normal).abs()).fold(0.0, f64::max);
+    if off <= FLAT * size {
+        Ok(Flat { corners, normal, position, size })
+    } else {
+        Err("is not flat, so that it is no polygon")
     }
 }
 
@@ -124,10 +138,4 @@ fn outline(faces: &Faces) -> Option<Vec<usize>> {
 fn vector_area(corners: &[DVec3]) -> DVec3 {
     let Some(&origin) = corners.first() else { return DVec3::ZERO };
     0.5 * corners.windows(2).map(|edge| (edge[0] - origin).cross(edge[1] - origin)).sum::<DVec3>()
-}
-
-/// The middle of corners, and how far the farthest lies from it.
-fn middle(corners: &[DVec3]) -> (DVec3, f64) {
-    let middle = corners.iter().sum::<DVec3>() / corners.len().max(1) as f64;
-    (middle, corners.iter().map(|corner| corner.distance(middle)).fold(0.0, f64::max))
 }

@@ -114,6 +114,11 @@ impl Prim {
         self.number(name).is_some_and(|value| value != 0.0)
     }
 
+    /// The group that Softbox listed it in.
+    pub(super) fn group(&self) -> Option<String> {
+        self.property("softbox:group")?.value.text().map(str::to_owned)
+    }
+
     /// Whether that API schema is applied to it.
     pub(super) fn has_api(&self, schema: &str) -> bool {
         let schemas = self.metadata.iter().filter(|property| property.name == "apiSchemas");

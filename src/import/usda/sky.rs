@@ -69,7 +69,7 @@ impl Reader<'_> {
         let mut light = Light::new("", shape);
         light.rotation_deg = tidy(deg_from_rotation(about(zenith, rotation)));
         (light.quantity, light.tint) = (Quantity::new(QuantityKind::Luminance, strength * total), tint);
-        light.group = prim.property("softbox:group").and_then(|group| group.value.text()).map(str::to_owned);
+        light.group = prim.group();
         self.remark_on_extras(prim);
         Some(light)
     }
