@@ -7,7 +7,7 @@ import numpy as np
 
 from cases import DIFFUSE, POINTS, Case
 
-SAMPLES = 4096
+SAMPLES = 8192
 
 # Blender's pictures have four rows or more; the middle one is rendered.
 ROWS = 5
@@ -52,7 +52,7 @@ def look_down(scene) -> None:
     scene.render.resolution_x, scene.render.resolution_y = len(POINTS), ROWS
     scene.render.use_border = True
     scene.render.border_min_y, scene.render.border_max_y = (ROWS // 2) / ROWS, (ROWS // 2 + 1) / ROWS
-    scene.cycles.pixel_filter_type = "BOX"
+    scene.cycles.pixel_filter_type = "GAUSSIAN"
     scene.cycles.filter_width = 0.01
 
 

@@ -117,7 +117,7 @@ impl Writer<'_> {
             Shape::Line(line) => {
                 self.line(light, &line.place(&world), &in_place);
                 changed(&match line.tube_radius() {
-                    Some(_) => "a cylinder of 16 sides that emits".to_owned(),
+                    Some(_) => "a cylinder of 64 sides that emits".to_owned(),
                     None => format!("a cylinder with a radius of {} mm that emits alike in all directions", 1e3 * THIN),
                 })
             }

@@ -136,7 +136,7 @@ def disk(name, radius, sides=256):
     return polygons(name, [(reach * math.cos(turn), reach * math.sin(turn), 0.0) for turn in turns], [range(sides)])
 
 
-def cylinder(name, length, radius, sides=16):
+def cylinder(name, length, radius, sides=64):
     """A cylinder about X without caps, as wide around as a round one; in one piece, which Cycles samples best."""
     reach = radius * math.pi / (sides * math.sin(math.pi / sides))
     turns = [2.0 * math.pi * side / sides for side in range(sides)]
