@@ -11,6 +11,7 @@ use crate::editor::session::Session;
 use crate::export::{Exported, Fate, Remark, Target};
 use crate::render::MethodChoice;
 use crate::scene::Scene;
+use crate::shading::fit::{Budget, COUNTS};
 
 /// Width of the dialog, points.
 const WIDTH: f32 = 620.0;
@@ -20,6 +21,8 @@ const HEIGHTS: [f32; 2] = [96.0, 220.0];
 const FATE: f32 = 56.0;
 /// Its colour where all is well; good on dark and on bright.
 const KEPT: Color32 = Color32::from_rgb(0x4c, 0xa8, 0x6c);
+/// The error that a fit may have at first, as a share.
+const WORST: f64 = 0.05;
 /// Sides of pictures, pixels.
 const SIDES: std::ops::RangeInclusive<u32> = 16..=8192;
 
@@ -116,8 +119,44 @@ fn options(ui: &mut Ui, form: &mut Form, scene: &Scene) {
             });
             ui.end_row();
         }
+        Target::Gltf => {
+            ui.weak("Each light");
+            budget(ui, &mut form.options.punctual);
+            ui.end_row();
+        }
         _ => {}
     }
+}
+
+/// How many punctual lights stand for a light: so many, or as few as a bound of the error allows.
+fn budget(ui: &mut Ui, budget: &mut Budget) {
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = 8.0;
+        let by_count = matches!(budget, Budget::Count(_));
+        let hint = "So many punctual lights stand for it at most";
+        let count = ui.radio(by_count, "at most").on_hover_text(hint).accessible_name("Fit by number");
+        if count.clicked() && !by_count {
+            *budget = Budget::default();
+        }
+        let hint = "As few as keep the worst error of its illuminance at most at this share";
+        let worst = ui.radio(!by_count, "error up to").on_hover_text(hint).accessible_name("Fit by error");
+        if worst.clicked() && by_count {
+            *budget = Budget::Worst(WORST);
+        }
+        match budget {
+            Budget::Count(count) => {
+                let number = DragValue::new(count).range(COUNTS).speed(0.05).suffix(" punctual lights");
+                ui.add(number).on_hover_text("Punctual lights").accessible_name("Most punctual lights");
+            }
+            Budget::Worst(worst) => {
+                let mut percent = 100.0 * *worst;
+                let number = DragValue::new(&mut percent).range(0.1..=100.0).speed(0.1).suffix(" %");
+                if ui.add(number).on_hover_text("Worst error, %").accessible_name("Worst error of a fit").changed() {
+                    *worst = 0.01 * percent;
+                }
+            }
+        }
+    });
 }
 
 /// What becomes of each thing, worst first.
