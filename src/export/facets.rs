@@ -95,7 +95,7 @@ fn sphere(radius: f64) -> Vec<Triangle> {
     let at = |ring: u32| {
         let (sin, cos) = (PI * f64::from(ring) / f64::from(rings)).sin_cos();
         // Exactly on the axis at the poles.
-        DVec2::new(if ring % rings == 0 { 0.0 } else { sin }, -cos)
+        DVec2::new(if ring.is_multiple_of(rings) { 0.0 } else { sin }, -cos)
     };
     let bands: Vec<_> = (0..rings)
         .map(|ring| {

@@ -180,3 +180,39 @@ fn what_is_no_picture_is_refused_in_one_line() {
     assert!(window.says("is no PNG, JPEG, EXR or HDR picture"), "the reason");
     assert!(window.scene().lights.is_empty(), "no light");
 }
+
+/// 500 cd straight down, twice as much towards +X as towards −X.
+const SPOT: &str = "IESNA:LM-63-2002\nTILT=NONE\n1 -1 1 7 3 1 2 0 0 0\n1 1 0\n0 15 30 45 60 75 90\n0 90 180\n\
+                    500 480 460 400 200 60 0\n500 470 380 240 100 20 0\n500 450 300 180 60 10 0\n";
+
+#[test]
+fn a_point_light_takes_the_candela_of_an_ies_file() {
+    let mut window = Window::with(EMPTY);
+    let elsewhere = tempfile::tempdir().expect("a temporary folder");
+    let path = elsewhere.path().join("spot.ies");
+    std::fs::write(&path, SPOT).expect("the folder is writable");
+    window.choose(Some(&path));
+    window.menu(&["Add", "Light", "Point from IES…"]);
+    let measured = |window: &Window| {
+        let scene = window.scene();
+        let Shape::Point(point) = &scene.lights[0].shape else { panic!("a point light") };
+        let photometry = point.ies.clone().expect("a photometric file");
+        (photometry.file.clone(), photometry.distribution.peak(), scene.lights[0].strength())
+    };
+    assert_eq!(measured(&window), ("photometry/spot.ies".to_owned(), 500.0, 500.0), "as bright as the file says");
+    assert!(window.has("Polar diagram of the intensities"), "the inspector shows it");
+    assert!(window.says("photometry/spot.ies"), "and its file");
+    window.enter("Rotation Y", "30");
+    assert_eq!(window.scene().lights[0].rotation_deg.y, 30.0, "it can be turned");
+    window.snapshot("point_from_ies");
+
+    std::fs::write(&path, SPOT.replace("500 480", "800 480")).expect("the folder is writable");
+    window.choose(Some(&path));
+    window.click("Replace IES file");
+    assert_eq!(measured(&window).1, 800.0, "another file");
+    std::fs::write(&path, "no candela").expect("the folder is writable");
+    window.choose(Some(&path));
+    window.click("Replace IES file");
+    assert!(window.says("`spot.ies` has no line TILT="), "a bad file is told");
+    assert_eq!(window.steps_back(), ["Replace IES file", "Rotate light", "Add point"], "one step each");
+}

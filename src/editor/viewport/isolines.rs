@@ -104,7 +104,7 @@ mod tests {
 
     /// Illuminance that falls by 10 lx a column from 1000, over surface but in the last columns.
     fn falling() -> Survey {
-        Survey::of_illuminance(|column, _| (column < 80).then(|| 1000.0 - 10.0 * column as f64))
+        Survey::of_illuminance(|column, _| (column < 80).then_some(1000.0 - 10.0 * column as f64))
     }
 
     #[test]

@@ -25,7 +25,7 @@ const NEAR: f64 = 0.01;
 pub(super) fn write(job: &Job, progress: &Progress) -> Result<Exported, ExportError> {
     let (scene, mut remarks) = job.chosen_scene()?;
     let mut document = Document::default();
-    let shared = vec![camera(&scene.camera, &mut document)];
+    let shared = [camera(&scene.camera, &mut document)];
     let lit = lights::add(&scene, job.options.punctual, progress, &mut document)?;
     let geometry = surfaces::add(&scene, &mut document);
     remarks.extend(scene_remarks(&scene));

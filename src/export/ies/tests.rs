@@ -36,7 +36,7 @@ fn angle() -> Shape {
 }
 
 fn textured() -> Shape {
-    let texels = vec![0.1, 0.0, 1.0, 0.3, 0.0, 0.5];
+    let texels = [0.1, 0.0, 1.0, 0.3, 0.0, 0.5];
     let channel = |scale: f32| Arc::new(Channel::new(3, texels.iter().map(|t| scale * t).collect()).expect("texels"));
     let pattern = Pattern::of_image("a.png", Image::Color([channel(1.0), channel(0.5), channel(0.2)]));
     Shape::Textured(Textured { size: dvec2(0.9, 0.6), pattern, two_sided: false })
@@ -202,7 +202,7 @@ fn planes_are_as_few_as_the_symmetry_allows() {
 #[test]
 fn the_steps_are_fine_enough_or_the_error_says_so() {
     for light in lights() {
-        let web = Web::of(&Luminaire::new(&[light.clone()]).expect("it shines"));
+        let web = Web::of(&Luminaire::new(std::slice::from_ref(&light)).expect("it shines"));
         // Along a tube's axis intensity falls to 0 in a point, which is sharper than any step.
         let bound = if light.name == "tube" { 2e-3 } else { SOUGHT_ERROR };
         assert!(web.error <= bound, "{}: {} of the peak", light.name, web.error);
