@@ -1,6 +1,7 @@
 import math
 import os
 
+import bmesh
 import bpy
 from mathutils import Matrix, Vector
 
@@ -126,6 +127,17 @@ def rectangle(name, size):
     layer = mesh.uv_layers.new()
     for i, corner in enumerate([(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)]):
         layer.data[i].uv = corner
+    return mesh
+
+
+def ball(name, radius):
+    """A smooth ball."""
+    mesh = bpy.data.meshes.new(name)
+    shape = bmesh.new()
+    bmesh.ops.create_uvsphere(shape, u_segments=64, v_segments=32, radius=radius)
+    shape.to_mesh(mesh)
+    shape.free()
+    mesh.shade_smooth()
     return mesh
 
 

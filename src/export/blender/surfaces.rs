@@ -43,6 +43,11 @@ impl Writer<'_> {
             match part.primitive() {
                 Primitive::Square { size } => self.flat(surface, part, 0.5 * size.x, 0.5 * size.y),
                 Primitive::Plane => self.flat(surface, part, PLANE_REACH, PLANE_REACH),
+                Primitive::Sphere { radius } => {
+                    let mesh = format!("ball({}, {})", text(&surface.name), number(*radius));
+                    let world = part.world_from_local();
+                    self.put(surface, &mesh, &frame(world.matrix3, world.translation));
+                }
                 _ => triangles.extend(facets(part)),
             }
         }
@@ -51,6 +56,7 @@ impl Writer<'_> {
         }
         match surface.shape {
             Shape::Plane {} => Some(format!("a square of {} m stands for the infinite plane", 2.0 * PLANE_REACH)),
+            Shape::Sphere { .. } | Shape::Sphereflake { .. } => Some("64 by 32 smooth faces a ball".to_owned()),
             Shape::Square { .. } | Shape::Box { .. } | Shape::Mesh(_) | Shape::Tetrahedron { .. } => None,
             _ => Some(format!("{} triangles stand for it", triangles.len())),
         }
