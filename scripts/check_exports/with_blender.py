@@ -59,7 +59,9 @@ def look_down(scene) -> None:
 def faults(path: Path) -> list[str]:
     """What keeps Blender from running a script."""
     scene = build(path)
-    return [] if scene.camera is not None and len(scene.objects) > 1 else ["its scene is empty"]
+    skies = [node for node in scene.world.node_tree.nodes if node.type == "BACKGROUND"]
+    is_whole = scene.camera is not None and len(scene.objects) + len(skies) > 1
+    return [] if is_whole else ["its scene is empty"]
 
 
 def broken(text: str) -> str:
