@@ -248,6 +248,8 @@ fn bound(light: &Light, method: Method) -> f32 {
         ("line", Method::Exact) => 2e-5,
         // A last bit decides whether a part of the pattern is small.
         ("leaf", Method::Exact) => 5e-4,
+        // A spot's edge is steep: what it makes of a last bit.
+        (_, Method::Fit(_)) => 5e-6,
         _ => SAME,
     }
 }
