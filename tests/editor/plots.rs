@@ -71,10 +71,10 @@ fn a_pinned_curve_stays_while_the_scene_changes_and_leaves_with_the_export() {
     assert_eq!(pinned[0].pin.name, "before: window 2×1 m", "called after what is selected");
     window.enter("Flux", "9000");
     assert_eq!(window.session().plots.pins, pinned, "it stays as it was");
-    window.click("Pin point");
-    assert!(window.session().plots.pins[1].pin.name.ends_with("(point)"), "a method's curve");
-    window.enter("Name of pin 2", "point, more flux");
-    assert_eq!(window.session().plots.pins[1].pin.name, "point, more flux", "renamed");
+    window.click("Pin one-shot");
+    assert!(window.session().plots.pins[1].pin.name.ends_with("(one-shot)"), "a method's curve");
+    window.enter("Name of pin 2", "one-shot, more flux");
+    assert_eq!(window.session().plots.pins[1].pin.name, "one-shot, more flux", "renamed");
     window.click("Show chebyshev");
     let at = window.get(CURVES).rect().center() - vec2(60.0, 0.0);
     hover(&mut window, at);
@@ -91,14 +91,14 @@ fn a_pinned_curve_stays_while_the_scene_changes_and_leaves_with_the_export() {
         assert!(bytes.starts_with(start), "{format}");
         let text = String::from_utf8_lossy(&bytes);
         if format != "PNG…" {
-            assert!(text.contains("before: window") && text.contains("point, more flux"), "{format} has the pins");
+            assert!(text.contains("before: window") && text.contains("one-shot, more flux"), "{format} has the pins");
             assert!(text.contains("nearest-point") && !text.contains("chebyshev"), "{format} has what is shown");
         }
         assert!(window.says(&format!("Exported {}", path.display())), "told so");
     }
     window.click("Remove pin 1");
     let left: Vec<_> = window.session().plots.pins.iter().map(|pinned| pinned.pin.name.as_str()).collect();
-    assert_eq!(left, ["point, more flux"], "the other is left");
+    assert_eq!(left, ["one-shot, more flux"], "the other is left");
     window.click("Show pin 1");
     assert!(window.session().plots.pins[0].hidden, "hidden");
     assert_eq!(window.steps_back(), ["Change flux"], "pins are no part of the document");

@@ -214,5 +214,5 @@ fn a_point_light_takes_the_candela_of_an_ies_file() {
     window.choose(Some(&path));
     window.click("Replace IES file");
     assert!(window.says("`spot.ies` has no line TILT="), "a bad file is told");
-    assert_eq!(window.steps_back(), ["Replace IES file", "Rotate light", "Add point"], "one step each");
+    assert_eq!(window.steps_back(), ["Replace IES file", "Change rotation", "Add spot"], "one step each");
 }

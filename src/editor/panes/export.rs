@@ -173,7 +173,7 @@ fn fates(ui: &mut Ui, exporting: &Exporting) {
             ui.label(RichText::new(told(exported)).strong());
             let mut remarks: Vec<&Remark> = exported.remarks.iter().collect();
             remarks.sort_by_key(|remark| std::cmp::Reverse(remark.fate));
-            let area = ScrollArea::vertical().max_height(HEIGHTS[1]).auto_shrink([false, true]);
+            let area = ScrollArea::vertical().id_salt("fates").max_height(HEIGHTS[1]).auto_shrink([false, true]);
             area.show(ui, |ui| remarks.into_iter().for_each(|remark| row(ui, remark)));
         }
     }
