@@ -250,6 +250,8 @@ fn bound(light: &Light, method: Method) -> f32 {
         ("leaf", Method::Exact) => 5e-4,
         // A spot's edge is steep: what it makes of a last bit.
         (_, Method::Fit(_)) => 5e-6,
+        // Near the horizon terms of a cap cancel: what they make of a last bit.
+        ("cap", _) => 5e-5,
         _ => SAME,
     }
 }
@@ -279,7 +281,13 @@ fn a_function_is_the_layer_of_its_light() {
     };
     for light in &scene.lights {
         for method in Method::of(&light.shape).iter().filter(is_of_its_own) {
-            check(&scene, light, *method, Target::Wgsl);
+            if light.name == "spot" && matches!(method, Method::Fit(_)) {
+                // Fits of measured intensities do not leave the program yet, and the export says so.
+                let exported = exported(&scene, std::slice::from_ref(&light.name), Target::Wgsl, *method);
+                assert!(exported.has_losses(), "a fit of measured intensities: {:?}", exported.remarks);
+            } else {
+                check(&scene, light, *method, Target::Wgsl);
+            }
         }
     }
 }
