@@ -2,7 +2,7 @@
 //!
 //! Read are ANSI/IESNA LM-63 of 1986, 1991, 1995, 2002 and 2019, of photometric type C. TILT=INCLUDE is read over: the
 //! factors are for lamps whose output depends on how the luminaire hangs, which a light here does not know.
-//! Types A and B are refused, and so is TILT=<file>.
+//! Types A and B are refused, and so is `TILT=<file>`.
 //!
 //! **Source:** [`crate::refs::LM_63`].
 
