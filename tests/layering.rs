@@ -16,39 +16,13 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("analysis", &["math", "light", "shading", "surface", "visibility", "scene", "render"]),
     ("gpu", &["math", "light", "shading", "surface", "visibility", "scene", "render"]),
     ("export", &["math", "light", "shading", "surface", "visibility", "scene", "render", "analysis", "gpu"]),
-    (
-        "cli",
-        &[
-            "math",
-            "light",
-            "shading",
-            "surface",
-            "visibility",
-            "scene",
-            "render",
-            "analysis",
-            "gpu",
-            "export",
-            "import",
-        ],
-    ),
-    (
-        "editor",
-        &[
-            "math",
-            "light",
-            "shading",
-            "surface",
-            "visibility",
-            "scene",
-            "render",
-            "analysis",
-            "gpu",
-            "export",
-            "import",
-        ],
-    ),
+    ("cli", BENEATH_THE_USER),
+    ("editor", BENEATH_THE_USER),
 ];
+
+/// What a user meets stands on all the others.
+const BENEATH_THE_USER: &[&str] =
+    &["math", "light", "shading", "surface", "visibility", "scene", "render", "analysis", "gpu", "export", "import"];
 
 /// Folders that compute and do nothing else.
 const PURE: &[&str] = &["math", "light", "shading", "surface", "visibility"];

@@ -19,6 +19,7 @@ pub mod panes;
 pub mod plotting;
 pub mod presets;
 pub mod recovery;
+pub mod selection;
 pub mod session;
 pub mod theme;
 pub mod tools;

@@ -3,6 +3,9 @@
 //! A [`Light`] is what a scene file says. Placing it gives an [`Emitter`]: the same light in world space at unit
 //! strength, which is what `shading` works on. One file a shape.
 
+#[macro_use]
+mod written;
+
 mod cap;
 mod color;
 mod directional;

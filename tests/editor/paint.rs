@@ -113,6 +113,34 @@ fn a_stroke_is_seen_in_the_light_while_it_is_painted_then_undone_saved_and_opene
     window.snapshot("painter_stroke");
 }
 
+/// A slow machine sees the end of a stroke and a press on a menu in one frame: the stroke is kept all the same.
+#[test]
+fn a_stroke_is_kept_where_a_menu_is_opened_in_the_same_frame() {
+    let mut window = painter();
+    window.enter("Paint value", "0");
+    let (from, to) = (at(&window, 0.25, 0.5), at(&window, 0.75, 0.5));
+    let menu = window.get("Presets pattern").rect().center();
+    let button = |pos, pressed| egui::Event::PointerButton {
+        pos,
+        button: PointerButton::Primary,
+        pressed,
+        modifiers: Modifiers::NONE,
+    };
+    window.harness.hover_at(from);
+    window.harness.step();
+    window.harness.event(button(from, true));
+    window.harness.step();
+    window.harness.hover_at(to);
+    window.harness.step();
+    let at_once = [button(to, false), egui::Event::PointerMoved(menu), button(menu, true), button(menu, false)];
+    window.harness.input_mut().events.extend(at_once);
+    window.harness.step();
+    window.settle();
+    assert!(window.has("Use preset"), "the menu is open");
+    window.key(Modifiers::NONE, Key::Escape);
+    assert_eq!(window.session().history.undo_label(), Some("Brush stroke"), "kept");
+}
+
 #[test]
 fn every_tool_leaves_what_it_says() {
     let mut window = painter();

@@ -99,17 +99,19 @@ fn lights(ui: &mut Ui, names: &mut BTreeSet<String>, scene: &Scene) {
 
 /// What only some targets look at.
 fn options(ui: &mut Ui, form: &mut Form, scene: &Scene) {
+    if matches!(form.target, Target::Png | Target::Exr | Target::Wgsl | Target::Glsl) {
+        ui.weak("Shaded by");
+        let combo = ComboBox::from_id_salt("method").selected_text(form.options.method.to_string());
+        let response = combo.show_ui(ui, |ui| {
+            for method in view_methods(scene).into_iter().map(MethodChoice::Method) {
+                ui.selectable_value(&mut form.options.method, method, method.to_string());
+            }
+        });
+        response.response.on_hover_text("The method of all lights").accessible_name("Export method");
+        ui.end_row();
+    }
     match form.target {
         Target::Png | Target::Exr => {
-            ui.weak("Shaded by");
-            let combo = ComboBox::from_id_salt("method").selected_text(form.options.method.to_string());
-            let response = combo.show_ui(ui, |ui| {
-                for method in view_methods(scene).into_iter().map(MethodChoice::Method) {
-                    ui.selectable_value(&mut form.options.method, method, method.to_string());
-                }
-            });
-            response.response.on_hover_text("The method of all lights").accessible_name("Export method");
-            ui.end_row();
             ui.weak("Size");
             ui.horizontal(|ui| {
                 for (side, name) in form.options.size.iter_mut().zip(["Export width", "Export height"]) {

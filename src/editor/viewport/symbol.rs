@@ -79,6 +79,7 @@ fn share(i: u32, of: u32) -> f64 {
 mod tests {
     use super::*;
     use crate::light::Sky;
+    use crate::math::angle::angle_between;
     use crate::scene::Camera;
     use egui::{Rect, pos2};
 
@@ -104,7 +105,7 @@ mod tests {
         {
             let (symbol, light, _) = symbol(shape, 5.0);
             let ends = symbol.lines(&light.shape).into_iter().flatten();
-            let angles = ends.filter(|p| *p != symbol.center).map(|p| (p - symbol.center).angle_between(DVec3::Z));
+            let angles = ends.filter(|p| *p != symbol.center).map(|p| angle_between(p - symbol.center, DVec3::Z));
             let widest = angles.fold(0.0, f64::max).to_degrees();
             assert!((widest - angle_deg).abs() < 1e-6, "{widest} of {angle_deg}");
         }

@@ -82,9 +82,6 @@ impl Part {
         let responder = data.responder.for_any_exponent();
         let items = needed(library, &[responder.function]);
         let reads = |name: &str| items.iter().any(|item| item.name == name);
-        if matches!(emitter, Emitter::Point(point) if point.web.is_some()) && !reads("table_number") {
-            return Err("has the intensities of an IES file, which the functions do not have".to_owned());
-        }
         let function = identifiers.of(&identifier(&light.name, color));
         let mut name = |what: &str| identifiers.of(&format!("{function}_{what}"));
         let [tint_name, constant_name, vertices_name] =

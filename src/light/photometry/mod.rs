@@ -5,11 +5,7 @@ pub mod lm63;
 
 pub use distribution::Distribution;
 
-use std::borrow::Cow;
 use std::sync::Arc;
-
-use schemars::{JsonSchema, Schema, SchemaGenerator};
-use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use crate::contents::Contents;
 
@@ -32,28 +28,4 @@ impl Photometry {
     }
 }
 
-impl Serialize for Photometry {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        self.file.serialize(serializer)
-    }
-}
-
-impl<'de> Deserialize<'de> for Photometry {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        String::deserialize(deserializer).map(Self::unread)
-    }
-}
-
-impl JsonSchema for Photometry {
-    fn schema_name() -> Cow<'static, str> {
-        String::schema_name()
-    }
-
-    fn inline_schema() -> bool {
-        true
-    }
-
-    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
-        String::json_schema(generator)
-    }
-}
+written_as_file!(Photometry);

@@ -72,6 +72,7 @@ impl Painter {
             return commands;
         };
         self.follow(session, index, &textured);
+        self.end_stroke(ui, session, index);
         let bar = |x: i8, y: i8| Frame::new().inner_margin(Margin::symmetric(x, y));
         Panel::top("painter menus").frame(bar(8, 4)).show(ui, |ui| {
             ui.horizontal(|ui| self.header(ui, session, index, &textured, &mut commands));
@@ -105,6 +106,14 @@ impl Painter {
             }
             self.sheet = Some(Sheet::new(name, image));
             session.live = None;
+        }
+    }
+
+    /// Keep a stroke once the button is up: before a menu answers to a press that came in the same frame.
+    fn end_stroke(&mut self, ui: &Ui, session: &mut Session, index: usize) {
+        let is_up = ui.input(|input| input.pointer.primary_released() || !input.pointer.primary_down());
+        if is_up && self.sheet.as_ref().is_some_and(|sheet| sheet.is_busy() && !sheet.is_proposed()) {
+            self.keep(session, index, self.options.tool.step());
         }
     }
 
@@ -242,10 +251,8 @@ impl Painter {
 
     /// Paint, fill, span or pick.
     fn work(&mut self, ui: &Ui, response: &Response, session: &mut Session, index: usize, under: Option<&Under>) {
-        let (modifiers, press, down, space) = ui.input(|input| {
-            let primary = input.pointer.primary_down();
-            (input.modifiers, input.pointer.primary_pressed(), primary, input.key_down(Key::Space))
-        });
+        let (modifiers, press, space) =
+            ui.input(|input| (input.modifiers, input.pointer.primary_pressed(), input.key_down(Key::Space)));
         if response.contains_pointer() {
             session.hint = self.hint();
             if !space {
@@ -265,16 +272,12 @@ impl Painter {
             sheet.press(&self.options, under.place, modifiers.shift);
             self.show_live(ui, session, index);
         } else if sheet.is_busy() && !sheet.is_proposed() {
-            if down {
-                let to = match sheet.span() {
-                    Some([from, _]) if modifiers.shift => self.options.constrained(from, under.place),
-                    _ => under.place,
-                };
-                if sheet.lead(&self.options, to) {
-                    self.show_live(ui, session, index);
-                }
-            } else {
-                self.keep(session, index, self.options.tool.step());
+            let to = match sheet.span() {
+                Some([from, _]) if modifiers.shift => self.options.constrained(from, under.place),
+                _ => under.place,
+            };
+            if sheet.lead(&self.options, to) {
+                self.show_live(ui, session, index);
             }
         }
     }
