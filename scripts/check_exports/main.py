@@ -4,7 +4,6 @@ import argparse
 import importlib
 import sys
 import time
-from concurrent.futures import ProcessPoolExecutor
 from multiprocessing import get_context
 from pathlib import Path
 
@@ -17,6 +16,9 @@ from softbox import Softbox
 RENDERED = {"usda": "usda", "mitsuba": "xml", "radiance": "rad", "blender": "py"}
 READ = {**RENDERED, "gltf": "gltf"}
 CHECKS = [*RENDERED, "looks", *(f"{target}-presets" for target in READ)]
+
+# A check that has not ended by then, in seconds, has failed.
+LONGEST = 900
 
 
 def run(check: str, program: Path, work: Path) -> tuple[list[lights.Row], list[str], float]:
@@ -62,10 +64,10 @@ def main() -> int:
     if unknown := set(checks) - set(CHECKS):
         parser.error(f"{', '.join(sorted(unknown))}: no such check; there are {', '.join(CHECKS)}")
     rows, wrong = [], []
-    with ProcessPoolExecutor(2, mp_context=get_context("spawn"), max_tasks_per_child=1) as pool:
-        jobs = {check: pool.submit(run, check, arguments.softbox, arguments.work) for check in checks}
+    with get_context("spawn").Pool(2, maxtasksperchild=1) as pool:
+        jobs = {check: pool.apply_async(run, (check, arguments.softbox, arguments.work)) for check in checks}
         for check, job in jobs.items():
-            measured, faults, seconds = job.result()
+            measured, faults, seconds = job.get(LONGEST)
             rows += measured
             wrong += faults
             print(f"{check}: {len(faults)} wrong, {seconds:.0f} s", flush=True)
