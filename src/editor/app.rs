@@ -104,14 +104,17 @@ impl App {
         self.views.plots.work()
     }
 
-    /// Whether work is under way, off this thread, that will change what is shown.
-    pub fn is_busy(&self) -> bool {
-        self.files.is_waiting()
-            || self.exporting.as_ref().is_some_and(Exporting::is_busy)
-            || self.views.plots.is_busy()
-            || self.views.thumbnails.is_busy()
-            || self.recovery.is_busy()
-            || self.views.viewport.as_ref().is_some_and(Viewport::is_busy)
+    /// The work under way, off this thread, that will change what is shown; `None` when there is none.
+    pub fn busy_with(&self) -> Option<&'static str> {
+        let work = [
+            (self.files.is_waiting(), "files"),
+            (self.exporting.as_ref().is_some_and(Exporting::is_busy), "an export"),
+            (self.views.plots.is_busy(), "curves"),
+            (self.views.thumbnails.is_busy(), "thumbnails"),
+            (self.recovery.is_busy(), "the recovery file"),
+            (self.views.viewport.as_ref().is_some_and(Viewport::is_busy), "measures"),
+        ];
+        work.into_iter().find_map(|(is_busy, with)| is_busy.then_some(with))
     }
 
     /// How often the viewport's picture was redone, by steps; none without a device to draw on.

@@ -58,6 +58,8 @@ pub struct Preview {
     is_refined: bool,
     /// Bands that a stage is cut into.
     bands: u32,
+    /// What was handed in last.
+    submission: Option<wgpu::SubmissionIndex>,
     stats: Stats,
 }
 
@@ -81,6 +83,7 @@ impl Preview {
             survey: None,
             is_refined: false,
             bands: 1,
+            submission: None,
             stats: Stats::default(),
         }
     }
@@ -134,7 +137,7 @@ impl Preview {
             self.show(device, &mut encoder, Shown::new(&view));
         }
         if worked || shows || refines {
-            queue.submit([encoder.finish()]);
+            self.submission = Some(queue.submit([encoder.finish()]));
         }
         &self.picture.view
     }
@@ -203,6 +206,11 @@ impl Preview {
     /// long. With 1, as at first, a call does a whole stage or sample.
     pub fn refine_in_bands(&mut self, bands: u32) {
         self.bands = bands.max(1);
+    }
+
+    /// What was handed to the device last: the picture is done when the device has done that, whatever else it draws.
+    pub fn submission(&self) -> Option<wgpu::SubmissionIndex> {
+        self.submission.clone()
     }
 
     /// How often each step was done.

@@ -125,10 +125,12 @@ impl Window {
         loop {
             // A picture that refines asks for one frame after another: how many depends on the machine.
             let is_still = self.harness.run_ok().is_some();
-            if is_still && !self.harness.state().is_busy() {
+            let busy_with = self.harness.state().busy_with();
+            if is_still && busy_with.is_none() {
                 return;
             }
-            assert!(start.elapsed() < PATIENCE, "the window is still busy");
+            let work = busy_with.unwrap_or("drawing");
+            assert!(start.elapsed() < PATIENCE, "the window is still busy with {work}");
             std::thread::sleep(Duration::from_millis(5));
         }
     }

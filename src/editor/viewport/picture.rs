@@ -69,9 +69,9 @@ impl Picture {
         self.pace.budget = budget;
     }
 
-    /// The picture of the first scene, compared where the view does so with the second's lights, where `view.size` is the pane in physical pixels. While something is dragged fewer pixels may
-    /// be shaded, and a picture that is still refines a little with each call. It stays as it was while the device is busy:
-    /// see [`Self::is_behind`].
+    /// The picture of the first scene, compared where the view does so with the second's lights, where `view.size` is the
+    /// pane in physical pixels. While something is dragged fewer pixels may be shaded, and a picture that is still refines
+    /// a little with each call. It stays as it was while the device is busy with it: see [`Self::is_behind`].
     pub fn render(&mut self, scenes: [&Scene; 2], view: &View, haste: Haste) -> TextureId {
         let RenderState { device, queue, renderer, .. } = &self.render_state;
         let share = match haste {
@@ -82,7 +82,7 @@ impl Picture {
         let dragging = haste == Haste::Dragging;
         let patience = self.pace.budget.saturating_mul(share);
         // What was handed in before is done first, so that work never piles up and what follows has a cost of its own.
-        self.is_behind = !wait(device, patience);
+        self.is_behind = !wait(device, &self.preview, patience);
         if let (true, Some((_, id))) = (self.is_behind, &self.texture) {
             return *id;
         }
@@ -97,7 +97,7 @@ impl Picture {
         let worked = self.preview.stats() != before || (view.refine && !self.preview.is_converged());
         if worked {
             // Longer than the patience counts as twice as long.
-            let cost = if wait(device, patience) { start.elapsed() } else { patience.saturating_mul(2) };
+            let cost = if wait(device, &self.preview, patience) { start.elapsed() } else { patience.saturating_mul(2) };
             if dragging {
                 self.pace.learn(cost);
             } else {
@@ -240,10 +240,12 @@ impl Pace {
     }
 }
 
-/// Whether the device has done all its work, waiting for it for that long.
-fn wait(device: &wgpu::Device, patience: Duration) -> bool {
+/// Whether the device has done all that it was handed for a picture, waiting for it for that long.
+fn wait(device: &wgpu::Device, preview: &Preview, patience: Duration) -> bool {
+    let Some(submission) = preview.submission() else { return true };
     // A poll fails where the work takes longer, or the device was lost, which eframe reports.
-    device.poll(wgpu::PollType::Wait { submission_index: None, timeout: Some(patience.min(LONGEST_WAIT)) }).is_ok()
+    let timeout = Some(patience.min(LONGEST_WAIT));
+    device.poll(wgpu::PollType::Wait { submission_index: Some(submission), timeout }).is_ok()
 }
 
 #[cfg(test)]
