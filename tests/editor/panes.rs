@@ -32,6 +32,38 @@ fn a_number_is_changed_undone_and_done_again() {
 }
 
 #[test]
+fn keys_that_come_in_one_frame_all_count_in_their_order() {
+    let mut window = Window::with_scene();
+    window.click("globe");
+    window.enter("Position X", "0.75");
+    window.enter("Position X", "0.5");
+    let z = |modifiers| {
+        let (key, physical_key) = (Key::Z, None);
+        egui::Event::Key { key, physical_key, pressed: true, repeat: false, modifiers }
+    };
+    let redo = Modifiers::COMMAND.plus(Modifiers::SHIFT);
+    let events = [Modifiers::COMMAND, Modifiers::COMMAND, redo].map(z);
+    window.harness.input_mut().events.extend(events);
+    window.settle();
+    let x = window.scene().lights[2].position.x;
+    assert!((x - 0.75).abs() < 1e-12, "two steps back and one forth end at {x}");
+}
+
+#[test]
+fn a_click_in_and_out_of_a_number_keeps_the_digits_that_it_does_not_show() {
+    let mut window = Window::with_scene();
+    window.click("globe");
+    window.harness.state_mut().session.edit("Move", |scene| scene.lights[2].position.x = -12.345_678_912);
+    window.settle();
+    let before = window.scene();
+    window.click("Position X");
+    window.key(Modifiers::NONE, Key::Tab);
+    assert_eq!(*before, *window.scene(), "looked at");
+    let field = window.get("Position X").rect();
+    assert!(field.width() < 72.5, "{field:?} is as wide as any other");
+}
+
+#[test]
 fn dragging_a_number_is_one_step_back() {
     let mut window = Window::with_scene();
     window.click("globe");

@@ -1,7 +1,7 @@
 //! A window to act on, without a display.
 
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, LazyLock};
+use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
 use eframe::egui_wgpu::{RendererOptions, WgpuSetup, WgpuSetupExisting};
@@ -30,24 +30,47 @@ const PATIENCE: Duration = Duration::from_secs(180);
 /// How long a test may act on one window.
 const LIFE: Duration = Duration::from_secs(900);
 
-/// One device for the windows of all tests: what a driver compiles and keeps for each is not all given back.
-static DEVICE: LazyLock<WgpuSetup> = LazyLock::new(|| {
-    let setup = egui_kittest::wgpu::default_wgpu_setup();
-    let state = egui_kittest::wgpu::create_render_state(setup, RendererOptions::PREDICTABLE);
-    let existing = WgpuSetupExisting {
-        instance: state.instance.clone(),
-        adapter: state.adapter.clone(),
-        device: state.device.clone(),
-        queue: state.queue.clone(),
-    };
-    existing.into()
-});
+/// A device for one window at a time, used again by the next: what a driver compiles and keeps for each is not all given
+/// back, and wgpu may panic where two threads wait for the same.
+struct Device(WgpuSetup);
+
+/// Devices that no window has.
+static SPARE: Mutex<Vec<WgpuSetup>> = Mutex::new(Vec::new());
+
+impl Device {
+    fn take() -> Self {
+        let spare = SPARE.lock().expect("no test holds the list for long").pop();
+        Self(spare.unwrap_or_else(|| {
+            let setup = egui_kittest::wgpu::default_wgpu_setup();
+            let state = egui_kittest::wgpu::create_render_state(setup, RendererOptions::PREDICTABLE);
+            let existing = WgpuSetupExisting {
+                instance: state.instance.clone(),
+                adapter: state.adapter.clone(),
+                device: state.device.clone(),
+                queue: state.queue.clone(),
+            };
+            existing.into()
+        }))
+    }
+}
+
+impl Drop for Device {
+    fn drop(&mut self) {
+        if !std::thread::panicking()
+            && let Ok(mut spare) = SPARE.lock()
+        {
+            spare.push(self.0.clone());
+        }
+    }
+}
 
 /// The editor in a window of 1280 × 800 points.
 pub(crate) struct Window {
     pub(crate) harness: Harness<'static, App>,
     folder: tempfile::TempDir,
     opened: Instant,
+    /// Given back when the window is gone: fields are dropped in their order.
+    _device: Device,
 }
 
 impl Window {
@@ -68,8 +91,8 @@ impl Window {
 
     /// A window that opens after this one has come to its end without being closed.
     pub(crate) fn crash(self) -> Self {
-        let Self { harness, folder, .. } = self;
-        drop(harness);
+        let Self { harness, folder, _device: device, .. } = self;
+        drop((harness, device));
         Self::in_folder(folder, None)
     }
 
@@ -84,19 +107,20 @@ impl Window {
             std::fs::write(&path, text).expect("the scene is written");
         }
         let open = text.map(|_| path);
+        let device = Device::take();
         let harness = Harness::builder()
             .with_size(vec2(1280.0, 800.0))
             .with_max_steps(256)
             .with_step_dt(1.0 / 30.0)
             .with_options(options())
-            .wgpu_setup(DEVICE.clone())
+            .wgpu_setup(device.0.clone())
             .build_eframe(|cc| {
                 let mut app = App::new(cc, open.as_deref(), Box::new(Scripted::default()), &folders);
                 // Only what is looked at has to be smooth.
                 app.session.view.refines = false;
                 app
             });
-        let mut window = Self { harness, folder, opened: Instant::now() };
+        let mut window = Self { harness, folder, opened: Instant::now(), _device: device };
         window.settle();
         window
     }

@@ -1,6 +1,6 @@
 //! The keys of commands.
 
-use egui::{Key, KeyboardShortcut, Modifiers};
+use egui::{Event, Key, KeyboardShortcut, Modifiers};
 
 use super::{Command, ListCommand};
 use crate::editor::app::App;
@@ -157,14 +157,16 @@ impl Command {
     }
 }
 
-/// Run the commands whose keys were pressed. While text is edited, most keys belong to the text.
+/// Run the commands whose keys were pressed, in their order and as often as they were: a slow frame holds several. While
+/// text is edited, most keys belong to the text.
 pub fn run_shortcuts(app: &mut App, ctx: &egui::Context) {
     let typing = ctx.egui_wants_keyboard_input();
     let in_gesture = app.session.history.in_gesture();
     let drawing = app.session.is_drawing;
     // Letters that the pane under the pointer has for itself; it was shown in the last frame.
     let pane_keys = std::mem::take(&mut app.session.pane_keys);
-    let pressed: Vec<&Command> = ctx.input_mut(|input| {
+    let mut pressed = Vec::new();
+    ctx.input_mut(|input| {
         // Those with more modifiers first, since a key with fewer would match too.
         let mut keyed: Vec<_> = Command::KEYED.iter().filter_map(|c| c.shortcut().map(|s| (c, s))).collect();
         keyed.sort_by_key(|(_, shortcut)| std::cmp::Reverse(shortcut.modifiers.shift));
@@ -174,9 +176,15 @@ pub fn run_shortcuts(app: &mut App, ctx: &egui::Context) {
         keyed.retain(|(command, s)| {
             let free = !(dragging && !s.modifiers.command || is_panes(s));
             let typed = typing && !command.works_while_typing() || drawing && begins_dimension(s);
-            free && !typed && input.consume_shortcut(s)
+            free && !typed
         });
-        keyed.into_iter().map(|(command, _)| command).collect()
+        input.events.retain(|event| {
+            let Event::Key { key, modifiers, pressed: true, .. } = event else { return true };
+            let is = |s: &KeyboardShortcut| s.logical_key == *key && modifiers.matches_logically(s.modifiers);
+            let command = keyed.iter().find(|(_, shortcut)| is(shortcut)).map(|(command, _)| *command);
+            pressed.extend(command);
+            command.is_none()
+        });
     });
     for command in pressed {
         if command.enabled(&app.session) {

@@ -70,7 +70,10 @@ impl Pointer {
             self.grip.hide();
         }
         self.spent |= self.grip.hold(ui, response, session, solids, &projection) == Holding::Ended;
-        if !self.grip.is_held() && !self.navigating {
+        if self.grip.is_held() {
+            // Handles are seen where the thing is by now.
+            self.grip.lay_out(session, solids, &projection);
+        } else if !self.navigating {
             if !self.grip.hover(response, session) {
                 self.hover(response, session, solids, &projection);
             }

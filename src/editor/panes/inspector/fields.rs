@@ -297,7 +297,8 @@ impl Fields<'_> {
             ui.spacing_mut().item_spacing.x = 3.0;
             // The unit stands in the tooltip: three numbers and their units do not fit.
             let bare = Number { unit: "", ..style.clone() };
-            let width = (0.333 * (ui.available_width() - 6.0)).clamp(44.0, 72.0);
+            ui.spacing_mut().button_padding.x = 2.0;
+            let width = (0.333 * (ui.available_width() - 6.0)).clamp(36.0, 72.0);
             for (axis, name) in names.into_iter().enumerate() {
                 let name = format!("{label} {name}");
                 let along: Vec<_> = values.iter().map(|value| value[axis]).collect();
@@ -354,19 +355,14 @@ fn show_revealed(ui: &Ui, response: &Response, label: &str) {
     ui.painter().rect_stroke(mark, 3.0, stroke, egui::StrokeKind::Outside);
 }
 
-/// A narrower field has no room for six decimals.
-const NARROW: f32 = 80.0;
+/// Characters that fields have room for which are narrower than so many points; a wider one has room for all.
+const ROOM: [(f32, usize); 2] = [(56.0, 5), (80.0, 7)];
 
-/// A number to drag or type.
-pub(super) fn drag(ui: &mut Ui, style: &Number, value: &mut f64, width: f32) -> Response {
-    let height = ui.spacing().interact_size.y;
-    let drag = DragValue::new(value)
-        .speed(style.speed)
-        .range(style.range.clone())
-        .clamp_existing_to_range(false)
-        .max_decimals(6)
-        .suffix(style.unit);
-    ui.add_sized(vec2(width, height), drag)
+/// Decimals that a field has room for.
+fn decimals(value: f64, width: f32) -> usize {
+    let before_point = format!("{:.0}", value.trunc()).len();
+    let room = ROOM.into_iter().find(|(limit, _)| width < *limit);
+    room.map_or(6, |(_, room)| room.saturating_sub(before_point + 1).min(4))
 }
 
 /// A number of each of some things, to drag or type: the one that all have, or "mixed". What each becomes: what was
@@ -376,15 +372,19 @@ pub(super) fn drag_all(ui: &mut Ui, style: &Number, values: &[f64], width: f32) 
     let mixed = common(values).is_none();
     let (mut edited, mut is_set) = (first, false);
     let height = ui.spacing().interact_size.y;
+    let places = decimals(first, width);
+    let shown = |value: f64| format!("{value:.places$}");
     let mut drag = DragValue::from_get_set(|new| {
         is_set |= new.is_some();
-        edited = new.unwrap_or(edited);
+        // A click in and out of the field keeps the digits that it does not show.
+        let differs = |new: &f64| mixed || shown(*new) != shown(first);
+        edited = new.filter(differs).unwrap_or(edited);
         edited
     })
     .speed(style.speed)
     .range(style.range.clone())
     .clamp_existing_to_range(false)
-    .max_decimals(if width < NARROW { 4 } else { 6 });
+    .max_decimals(places);
     drag = if mixed { drag.custom_formatter(|_, _| MIXED.to_owned()) } else { drag.suffix(style.unit) };
     let mut response = ui.add_sized(vec2(width, height), drag);
     if mixed && is_set {

@@ -2,7 +2,7 @@
 
 use egui::{Ui, vec2};
 
-use super::fields::{Fields, Number, drag, row_label};
+use super::fields::{Fields, Number, drag_all, row_label};
 use crate::light::{Light, Polygon, Shape};
 use crate::scene::Scene;
 
@@ -17,7 +17,9 @@ pub(super) fn show(ui: &mut Ui, fields: &mut Fields<'_>, index: usize, polygon: 
                 for (axis, name) in ["X", "Y"].into_iter().enumerate() {
                     let name = format!("Vertex {} {name}", i + 1);
                     let style = Number { unit: "", ..Number::PLACE };
-                    let response = drag(ui, &style, &mut edited[axis], 62.0).accessible_name(name);
+                    let (response, moved) = drag_all(ui, &style, &[vertex[axis]], 62.0);
+                    let response = response.accessible_name(name);
+                    edited[axis] = moved.first().copied().unwrap_or(edited[axis]);
                     let set = polygon_at(index, |polygon: &mut Polygon| polygon.vertices[i] = edited);
                     fields.apply(&response, "Move vertex", set);
                 }
