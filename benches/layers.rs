@@ -70,7 +70,7 @@ impl<'a> Layers<'a> {
             refine: false,
             display: Display::Picture,
         };
-        let preview = Preview::new(&context.device, &context.queue);
+        let preview = Preview::new(&context.device);
         let mut layers = Self { context, preview, scene, view, moved: Duration::MAX, weighed: Duration::MAX };
         layers.draw();
         layers

@@ -36,6 +36,8 @@ mod occluders;
 #[cfg(feature = "gpu")]
 mod pass;
 #[cfg(feature = "gpu")]
+mod passes;
+#[cfg(feature = "gpu")]
 mod points;
 #[cfg(feature = "gpu")]
 mod preview;
@@ -58,6 +60,8 @@ mod view;
 
 #[cfg(feature = "gpu")]
 pub use context::{Context, GpuError, device_descriptor};
+#[cfg(feature = "gpu")]
+pub use passes::SharedPasses;
 #[cfg(feature = "gpu")]
 pub use points::layer_at;
 #[cfg(feature = "gpu")]

@@ -5,17 +5,18 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::Context;
-use super::composite::{CompositePass, Means, Mix, Mixed, Scratch};
+use super::composite::{Means, Mix, Mixed, Scratch};
 use super::display::DisplayPass;
 use super::gbuffer::Seen;
 use super::lights::LightData;
 use super::lobes;
 use super::occluders::Occluders;
 use super::pass::Target;
+use super::passes::{Passes, SharedPasses};
 use super::read_back::{self, Pixels, ReadBackError};
-use super::sample::{Lit, Passes, Sample, Wanted};
+use super::sample::{Lit, Sample, Wanted};
 use super::shadows::{self, ShadowData};
-use super::survey::{Pending, Survey, SurveyPass};
+use super::survey::{Pending, Survey};
 use super::types::{Lobe, Shown};
 use super::view::{Stats, View};
 use crate::render::lobe_of;
@@ -35,8 +36,7 @@ const SAMPLES: u16 = 8;
 /// one of them.
 #[derive(Debug)]
 pub struct Preview {
-    passes: Passes,
-    composite_pass: CompositePass,
+    passes: SharedPasses,
     /// What rays meet.
     occluders: Option<Arc<Occluders>>,
     /// Through the pixels' centres: what editing changes.
@@ -49,11 +49,13 @@ pub struct Preview {
     means: [Option<Means>; 2],
     /// In the means.
     samples: u16,
-    display_pass: DisplayPass,
     shown: Option<Shown>,
     picture: Target,
-    survey_pass: SurveyPass,
     survey: Option<Pending>,
+    /// The means are of other layers or weights than those of now.
+    is_stale: bool,
+    /// The picture is of what was asked for last.
+    is_whole: bool,
     /// Every layer and shadow has been through all its stages.
     is_refined: bool,
     /// Bands that a stage is cut into.
@@ -65,10 +67,14 @@ pub struct Preview {
 
 impl Preview {
     /// A preview with no picture yet. The device needs WebGPU's default limits: see [`super::device_descriptor`].
-    pub fn new(device: &wgpu::Device, _queue: &wgpu::Queue) -> Self {
+    pub fn new(device: &wgpu::Device) -> Self {
+        Self::sharing(device, &SharedPasses::new(device))
+    }
+
+    /// The same, with passes of the same device that other previews have too.
+    pub fn sharing(device: &wgpu::Device, passes: &SharedPasses) -> Self {
         Self {
-            passes: Passes::new(device),
-            composite_pass: CompositePass::new(device),
+            passes: passes.clone(),
             occluders: None,
             centred: Sample::default(),
             jittered: Sample::default(),
@@ -76,11 +82,11 @@ impl Preview {
             scratch: Scratch::new(device, [1, 1]),
             means: [None, None],
             samples: 0,
-            display_pass: DisplayPass::new(device),
             shown: None,
             picture: DisplayPass::target(device, [1, 1]),
-            survey_pass: SurveyPass::new(device),
             survey: None,
+            is_stale: false,
+            is_whole: false,
             is_refined: false,
             bands: 1,
             submission: None,
@@ -89,7 +95,8 @@ impl Preview {
     }
 
     /// The picture of a scene, as an sRGB-encoded `Rgba8Unorm` texture. The view stays the same for as long as the
-    /// size does.
+    /// size does. In [bands](Self::work_in_bands), the picture is the one before until it [is whole](Self::is_whole);
+    /// of a new size it is empty until then.
     pub fn render(
         &mut self,
         device: &wgpu::Device,
@@ -109,32 +116,38 @@ impl Preview {
         view: &View,
     ) -> &wgpu::TextureView {
         let view = View { size: view.size.map(|side| side.max(1)), ..*view };
-        let layout = self.passes.gbuffer.occluder_layout();
+        let shared = self.passes.clone();
+        let mut passes = shared.lock();
+        let layout = passes.gbuffer.occluder_layout();
         let occluders = Occluders::of_scene(device, layout, (scene, view.camera.eye), self.occluders.as_ref());
         self.occluders = Some(Arc::clone(&occluders));
         let (wanted, mixes) = wanted([scene, other], &view, &occluders, self.bands);
         let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         let before = self.stats;
-        let worked = self.centred.update(device, &mut encoder, &mut self.passes, &wanted, &mut self.stats);
+        let worked = self.centred.update(device, &mut encoder, &mut passes, &wanted, &mut self.stats);
         self.is_refined = self.centred.is_refined(&wanted.lit);
+        self.is_whole = self.centred.is_whole(&wanted.lit);
         self.fit(device, view.size, mixes.len());
-        let sums = self.stats != before || self.mixes != mixes;
+        self.is_stale |= self.stats != before || self.mixes != mixes;
+        let sums = self.is_stale && self.is_whole;
         let refines = !worked && !sums && view.refine && !self.is_converged();
         self.mixes = mixes;
         if sums {
+            self.is_stale = false;
             self.samples = 0;
-            self.accumulate(device, &mut encoder, false);
+            self.accumulate(device, &mut encoder, &passes, false);
         } else if refines {
             let seen = Seen::new(&occluders, &view, jitter(self.samples));
             let wanted = Wanted { seen, sample: self.samples, ..wanted };
-            self.jittered.update(device, &mut encoder, &mut self.passes, &wanted, &mut self.stats);
+            self.jittered.update(device, &mut encoder, &mut passes, &wanted, &mut self.stats);
             if self.jittered.is_refined(&wanted.lit) {
-                self.accumulate(device, &mut encoder, true);
+                self.accumulate(device, &mut encoder, &passes, true);
             }
         }
-        let shows = self.stats.composites != before.composites || self.shown != Some(Shown::new(&view));
+        let shown = Some(Shown::new(&view));
+        let shows = self.is_whole && (self.stats.composites != before.composites || self.shown != shown);
         if shows {
-            self.show(device, &mut encoder, Shown::new(&view));
+            self.show(device, &mut encoder, &passes, Shown::new(&view));
         }
         if worked || shows || refines {
             self.submission = Some(queue.submit([encoder.finish()]));
@@ -160,19 +173,25 @@ impl Preview {
     }
 
     /// Adds a sample to the means.
-    fn accumulate(&mut self, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder, jittered: bool) {
+    fn accumulate(
+        &mut self,
+        device: &wgpu::Device,
+        encoder: &mut wgpu::CommandEncoder,
+        passes: &Passes,
+        jittered: bool,
+    ) {
         let sample = if jittered { &self.jittered } else { &self.centred };
         self.samples += 1;
         for (mix, means) in self.mixes.iter().zip(self.means.iter_mut().flatten()) {
-            self.composite_pass.accumulate(device, encoder, (sample, self.samples), mix, &self.scratch, means);
+            passes.composite.accumulate(device, encoder, (sample, self.samples), mix, &self.scratch, means);
             self.stats.composites += 1;
         }
     }
 
     /// Draws the picture of the means.
-    fn show(&mut self, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder, shown: Shown) {
+    fn show(&mut self, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder, passes: &Passes, shown: Shown) {
         if let (Some(gbuffer), Some(means)) = (self.centred.gbuffer(), self.compared()) {
-            self.display_pass.draw(device, encoder, gbuffer, means, &shown, &self.picture);
+            passes.display.draw(device, encoder, gbuffer, means, &shown, &self.picture);
             self.shown = Some(shown);
         }
     }
@@ -188,13 +207,18 @@ impl Preview {
         if self.survey.is_none()
             && let Some(means) = self.compared()
         {
-            self.survey = Some(self.survey_pass.start(device, queue, means));
+            self.survey = Some(self.passes.lock().survey.start(device, queue, means));
         }
     }
 
     /// The survey that was started, once, when the device has been polled after it was done.
     pub fn take_survey(&mut self) -> Option<Survey> {
         Some(self.survey.take_if(|pending| pending.is_ready())?.survey())
+    }
+
+    /// Gives up the survey that was started, if any.
+    pub fn drop_survey(&mut self) {
+        self.survey = None;
     }
 
     /// Whether a survey has been started and not been taken.
@@ -204,8 +228,13 @@ impl Preview {
 
     /// Cuts a stage of all layers and shadows into that many bands, one a call, so that no call holds the device for
     /// long. With 1, as at first, a call does a whole stage or sample.
-    pub fn refine_in_bands(&mut self, bands: u32) {
+    pub fn work_in_bands(&mut self, bands: u32) {
         self.bands = bands.max(1);
+    }
+
+    /// What [`Self::render`] draws on; nothing before the first call.
+    pub fn picture(&self) -> Option<&wgpu::TextureView> {
+        self.submission.as_ref().map(|_| &self.picture.view)
     }
 
     /// What was handed to the device last: the picture is done when the device has done that, whatever else it draws.
@@ -216,6 +245,12 @@ impl Preview {
     /// How often each step was done.
     pub fn stats(&self) -> Stats {
         self.stats
+    }
+
+    /// Whether the picture shows what was asked for last, however roughly; always so after a call that is not cut into
+    /// bands.
+    pub fn is_whole(&self) -> bool {
+        self.is_whole
     }
 
     /// Whether rendering the same again, with [`View::refine`], changes nothing.
@@ -245,7 +280,7 @@ impl Preview {
 ///
 /// [`ReadBackError`] where the device was lost.
 pub fn picture(context: &Context, scene: &Scene, view: &View) -> Result<Pixels, ReadBackError> {
-    let mut preview = Preview::new(&context.device, &context.queue);
+    let mut preview = Preview::new(&context.device);
     preview.render(&context.device, &context.queue, scene, view);
     while !preview.is_refined() || (view.refine && !preview.is_converged()) {
         preview.render(&context.device, &context.queue, scene, view);

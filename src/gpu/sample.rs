@@ -1,26 +1,13 @@
 //! One sample a pixel: what is seen there, and what each light does there.
 
-use super::gbuffer::{GBuffer, GBufferPass, Seen};
-use super::layers::{self, LayerPass};
+use super::gbuffer::{GBuffer, Seen};
+use super::layers;
 use super::lights::LightData;
 use super::pass::{self, Target};
-use super::shadows::{self, Common, ShadowData, ShadowPass};
+use super::passes::Passes;
+use super::shadows::{self, Common, ShadowData};
 use super::types::Lobe;
 use super::view::Stats;
-
-/// What makes samples.
-#[derive(Debug)]
-pub(crate) struct Passes {
-    pub(crate) gbuffer: GBufferPass,
-    pub(crate) layers: LayerPass,
-    pub(crate) shadows: ShadowPass,
-}
-
-impl Passes {
-    pub(crate) fn new(device: &wgpu::Device) -> Self {
-        Self { gbuffer: GBufferPass::new(device), layers: LayerPass::new(device), shadows: ShadowPass::new(device) }
-    }
-}
 
 /// What a [`Sample`] is to hold.
 #[derive(Clone, Debug)]
@@ -132,13 +119,22 @@ impl Sample {
         self.shadows.iter().find(|shadow| shadow.data == *data).map(|shadow| &shadow.sums)
     }
 
+    /// Whether every layer and shadow of these lights has been through its first stage.
+    pub(crate) fn is_whole(&self, lit: &[Lit]) -> bool {
+        self.have_all(lit, |progress| progress.stage > 0)
+    }
+
     /// Whether every layer and shadow of these lights has been through all its stages.
     pub(crate) fn is_refined(&self, lit: &[Lit]) -> bool {
+        self.have_all(lit, Progress::is_done)
+    }
+
+    fn have_all(&self, lit: &[Lit], are: impl Fn(&Progress) -> bool) -> bool {
         lit.iter().all(|lit| {
             let layer = self.layers.iter().find(|layer| layer.light == lit.light);
             let shadow = |data: &ShadowData| self.shadows.iter().find(|shadow| shadow.data == *data);
-            layer.is_some_and(|layer| layer.progress.is_done())
-                && lit.shadow.as_ref().is_none_or(|data| shadow(data).is_some_and(|shadow| shadow.progress.is_done()))
+            layer.is_some_and(|layer| are(&layer.progress))
+                && lit.shadow.as_ref().is_none_or(|data| shadow(data).is_some_and(|shadow| are(&shadow.progress)))
         })
     }
 
@@ -157,19 +153,13 @@ impl Sample {
         let fresh = self.look(device, encoder, passes, wanted, stats);
         let pieces = self.pieces(device, wanted);
         let height = wanted.seen.size()[1];
-        // A first look is whole; what only refines it is done a band an update.
+        let mut left = (u32::try_from(pieces.len()).unwrap_or(u32::MAX).saturating_mul(height)).div_ceil(wanted.bands);
+        // What only refines comes after the first look at everything.
         let (first, later): (Vec<_>, Vec<_>) =
             pieces.into_iter().partition(|piece| wanted.sample == 0 && self.progress(*piece).stage == 0);
+        let pieces = if first.is_empty() { later } else { first };
         let mut changed = fresh;
-        for piece in &first {
-            self.draw(device, encoder, passes, wanted, (*piece, height), stats);
-            changed = true;
-        }
-        if !first.is_empty() {
-            return changed;
-        }
-        let mut left = (u32::try_from(later.len()).unwrap_or(u32::MAX).saturating_mul(height)).div_ceil(wanted.bands);
-        for piece in later.into_iter().filter(|piece| !self.progress(*piece).is_done()).collect::<Vec<_>>() {
+        for piece in pieces.into_iter().filter(|piece| !self.progress(*piece).is_done()).collect::<Vec<_>>() {
             let rows = left.next_multiple_of(pass::BLOCK).min(height - self.progress(piece).rows);
             if rows > 0 {
                 self.draw(device, encoder, passes, wanted, (piece, rows), stats);

@@ -10,8 +10,10 @@ use egui_kittest::{Harness, HarnessBuilder};
 use glam::DVec3;
 use softbox::editor::session::Framing;
 use softbox::editor::viewport::Viewport;
+use softbox::editor::viewport::picture::{Haste, Picture};
 use softbox::editor::viewport::projection::Projection;
 use softbox::editor::{Item, Session, Tool, theme};
+use softbox::gpu::{Display, SharedPasses, View};
 use softbox::light::{Emitter, Light};
 use softbox::scene::{Camera, Scene, parse};
 use softbox::shading::Method;
@@ -354,6 +356,34 @@ fn while_a_light_is_dragged_only_its_layer_is_redone() {
     assert_eq!(after.g_buffers - before.g_buffers, 0, "what the camera sees is the same");
     assert_eq!(after.layers - before.layers, 3, "one layer a frame, of three lights");
     assert_eq!(after.composites - before.composites, 3, "one sum a frame");
+}
+
+#[test]
+fn where_a_picture_takes_long_a_rough_one_is_there_at_once_and_goes_when_the_other_is_done() {
+    let render_state = create_render_state(default_wgpu_setup(), egui_wgpu_options());
+    let mut picture = Picture::new(&render_state, &SharedPasses::new(&render_state.device));
+    let scene = test_scene();
+    let view = View {
+        camera: scene.camera,
+        size: [400, 300],
+        method: Method::Exact,
+        exposure_ev: 0.0,
+        show_emitters: true,
+        shadows: true,
+        refine: false,
+        display: Display::Picture,
+    };
+    let mut draw = |budget, is_new| {
+        picture.set_frame_budget(budget);
+        picture.render([&scene, &scene], &view, Haste::Acting, is_new);
+        (picture.texture().map(|(_, size)| size), picture.is_rough(), picture.is_behind(), picture.stats())
+    };
+    let (size, is_rough, is_behind, stats) = draw(Duration::from_micros(1), true);
+    assert_eq!((size, is_rough, is_behind), (Some([400, 300]), true, true), "a rough picture at once");
+    assert_eq!((stats.layers, stats.shadows, stats.composites), (3, 3, 1), "with soft shadows, and nothing else done");
+    let (_, is_rough, is_behind, after) = draw(Duration::MAX, false);
+    assert_eq!((is_rough, is_behind), (false, false), "all pixels when there is time");
+    assert_eq!(after.composites, 2, "the rough picture is not drawn again");
 }
 
 #[test]

@@ -219,7 +219,7 @@ fn a_split_shows_each_method_on_its_side() {
 #[test]
 fn comparing_shades_only_what_the_other_method_adds_and_looking_otherwise_nothing() {
     let scene = scene();
-    let mut preview = Preview::new(&CONTEXT.device, &CONTEXT.queue);
+    let mut preview = Preview::new(&CONTEXT.device);
     let mut cost = |method: Method, display: Display| {
         let before = preview.stats();
         preview.render(
@@ -259,7 +259,7 @@ fn comparing_shades_only_what_the_other_method_adds_and_looking_otherwise_nothin
 #[test]
 fn a_survey_has_the_pictures_numbers() {
     let scene = scene();
-    let mut preview = Preview::new(&CONTEXT.device, &CONTEXT.queue);
+    let mut preview = Preview::new(&CONTEXT.device);
     let display = Display::Split { against: Method::Point, at: 0.5 };
     preview.render(&CONTEXT.device, &CONTEXT.queue, &scene, &view(&scene, Method::Exact, display));
     assert!(!preview.is_surveying(), "none was asked for");
@@ -284,7 +284,7 @@ fn a_survey_has_the_pictures_numbers() {
 
 #[test]
 fn nothing_is_read_back_of_no_picture() {
-    let preview = Preview::new(&CONTEXT.device, &CONTEXT.queue);
+    let preview = Preview::new(&CONTEXT.device);
     let error = preview.read_back(&CONTEXT.device, &CONTEXT.queue).expect_err("there is no picture");
     assert_eq!(error.to_string(), "there is no picture yet", "the reason");
 }

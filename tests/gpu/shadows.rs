@@ -31,7 +31,7 @@ fn on_cpu(scene: &Scene, shadows: Shadows) -> Film {
 
 /// The picture after as many rays as there are through the pixels' centres.
 fn on_gpu(scene: &Scene, view: &View) -> Pixels {
-    let mut preview = Preview::new(&CONTEXT.device, &CONTEXT.queue);
+    let mut preview = Preview::new(&CONTEXT.device);
     while {
         preview.render(&CONTEXT.device, &CONTEXT.queue, scene, view);
         !preview.is_refined()
@@ -108,7 +108,7 @@ fn more_rays_are_nearer_and_on_average_right() {
     let scene = scene::first_light();
     let cpu = on_cpu(&scene, Shadows::default());
     let view = view(&scene);
-    let mut preview = Preview::new(&CONTEXT.device, &CONTEXT.queue);
+    let mut preview = Preview::new(&CONTEXT.device);
     let mut before: Option<Difference> = None;
     loop {
         preview.render(&CONTEXT.device, &CONTEXT.queue, &scene, &view);
@@ -147,7 +147,7 @@ fn what_sees_all_of_a_light_is_as_without_shadows_to_the_last_bit() {
 fn a_scene_of_one_plane_casts_no_rays() {
     let mut scene = scene::first_light();
     scene.surfaces.truncate(1);
-    let mut preview = Preview::new(&CONTEXT.device, &CONTEXT.queue);
+    let mut preview = Preview::new(&CONTEXT.device);
     let view = View { refine: true, ..view(&scene) };
     while !preview.is_converged() {
         preview.render(&CONTEXT.device, &CONTEXT.queue, &scene, &view);

@@ -129,7 +129,7 @@ fn a_textured_light_looks_the_same() {
 #[test]
 fn its_layer_is_made_by_stages_and_then_rests() {
     let scene = scene_of(&stripes(32), false);
-    let mut preview = Preview::new(&CONTEXT.device, &CONTEXT.queue);
+    let mut preview = Preview::new(&CONTEXT.device);
     let mut layers = Vec::new();
     let mut render = |preview: &mut Preview, scene: &Scene| {
         preview.render(&CONTEXT.device, &CONTEXT.queue, scene, &view(scene));

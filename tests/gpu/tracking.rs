@@ -1,7 +1,7 @@
 //! What the preview redoes.
 
 use glam::{DVec2, DVec3};
-use softbox::gpu::{Display, Pixels, Preview, Stats, View};
+use softbox::gpu::{Display, Pixels, Preview, SharedPasses, Stats, View};
 use softbox::light::{Light, Line, Point, Polygon, Quantity, QuantityKind, Shape, Tint};
 use softbox::scene::{Camera, Scene};
 use softbox::shading::Method;
@@ -17,7 +17,7 @@ struct Bench {
 
 impl Bench {
     fn new(scene: Scene) -> Self {
-        let preview = Preview::new(&CONTEXT.device, &CONTEXT.queue);
+        let preview = Preview::new(&CONTEXT.device);
         let view = View {
             camera: scene.camera,
             size: [64, 48],
@@ -206,7 +206,7 @@ fn shadows_in_bands_end_in_the_same_picture() {
     let refined = |bands| {
         let mut bench = Bench::new(scene());
         bench.view = View { refine: true, shadows: true, ..bench.view };
-        bench.preview.refine_in_bands(bands);
+        bench.preview.work_in_bands(bands);
         let mut calls = 0;
         while !bench.preview.is_converged() {
             bench.render();
@@ -268,7 +268,7 @@ fn refinement_in_bands_ends_in_the_same_picture() {
     let refined = |bands| {
         let mut bench = Bench::new(scene());
         bench.view.refine = true;
-        bench.preview.refine_in_bands(bands);
+        bench.preview.work_in_bands(bands);
         let mut calls = 0;
         while !bench.preview.is_converged() {
             bench.render();
@@ -279,7 +279,48 @@ fn refinement_in_bands_ends_in_the_same_picture() {
     };
     let ((whole, calls), (banded, more_calls)) = (refined(1), refined(5));
     assert_eq!(whole, banded, "to the last bit");
-    assert_eq!((calls, more_calls), (8, 1 + 7 * 5), "a sample a call; a fifth of a sample a call");
+    assert_eq!((calls, more_calls), (8, 8 * 5), "a sample a call; a fifth of a sample a call");
+}
+
+#[test]
+fn in_bands_the_picture_before_stays_until_the_next_is_whole() {
+    let mut bench = Bench::new(scene());
+    bench.view.shadows = true;
+    bench.render();
+    let before = bench.pixels();
+    bench.scene.lights[2].position.x = 0.5;
+    bench.preview.work_in_bands(7);
+    let mut calls = 0;
+    while {
+        bench.render();
+        calls += 1;
+        !bench.preview.is_whole()
+    } {
+        assert_eq!(bench.pixels().srgb, before.srgb, "nothing half done after {calls} calls");
+    }
+    assert_eq!(calls, 3, "two of six layers and shadows in sevenths of all");
+    let mut fresh = Bench::new(bench.scene);
+    fresh.view.shadows = true;
+    fresh.render();
+    assert_eq!(
+        bench.preview.read_back(&CONTEXT.device, &CONTEXT.queue).expect("pixels").srgb,
+        fresh.pixels().srgb,
+        "to the last bit"
+    );
+}
+
+#[test]
+fn previews_that_share_passes_draw_the_same() {
+    let passes = SharedPasses::new(&CONTEXT.device);
+    let [first, second] = [0, 1].map(|_| {
+        let preview = Preview::sharing(&CONTEXT.device, &passes);
+        let mut bench = Bench { preview, ..Bench::new(scene()) };
+        bench.render();
+        bench.pixels().srgb
+    });
+    let mut own = Bench::new(scene());
+    own.render();
+    assert_eq!((&first, &second), (&own.pixels().srgb, &own.pixels().srgb), "to the last bit");
 }
 
 #[test]

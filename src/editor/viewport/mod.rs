@@ -34,7 +34,7 @@ use self::screen::Screen;
 use super::panes::view_menu;
 use super::session::{Framing, Item, Session};
 use super::{library, theme};
-use crate::gpu::Stats;
+use crate::gpu::{SharedPasses, Stats};
 pub use crate::render::bounds;
 use crate::render::bounds::Ball;
 
@@ -60,6 +60,7 @@ impl Default for Overlays {
 /// See the [module](self).
 pub struct Viewport {
     render_state: RenderState,
+    passes: SharedPasses,
     screens: Vec<Screen>,
     /// The screen that the pointer is in, or was last.
     home: usize,
@@ -79,6 +80,7 @@ impl Viewport {
     pub fn new(render_state: &RenderState) -> Self {
         Self {
             render_state: render_state.clone(),
+            passes: SharedPasses::new(&render_state.device),
             screens: Vec::new(),
             home: 0,
             solids: Solids::default(),
@@ -142,7 +144,7 @@ impl Viewport {
     /// As many screens as are shown, which share the time of a frame.
     fn fit(&mut self, count: usize) {
         self.screens.truncate(count);
-        self.screens.resize_with(count, || Screen::new(&self.render_state));
+        self.screens.resize_with(count, || Screen::new(&self.render_state, &self.passes));
         self.home = self.home.min(count.saturating_sub(1));
         for screen in &mut self.screens {
             screen.picture.set_frame_budget(self.frame_budget / u32::try_from(count).unwrap_or(1));

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use eframe::egui_wgpu::RenderState;
-use egui::{Align2, Color32, Painter, Rect, TextureId, Ui, pos2, vec2};
+use egui::{Align2, Color32, Painter, Rect, Ui, pos2, vec2};
 
 use super::gauge::Gauge;
 use super::overlay::{self, Grid, Marks};
@@ -14,7 +14,7 @@ use super::projection::Projection;
 use super::{Overlays, controls, isolines, scales, split};
 use crate::editor::session::{Item, Session, ViewMode, ViewState};
 use crate::editor::theme;
-use crate::gpu::{Display, Survey, View};
+use crate::gpu::{Display, SharedPasses, Survey, View};
 use crate::scene::Scene;
 use crate::shading::Method;
 
@@ -36,20 +36,18 @@ pub struct Screen {
     /// Of what the survey was made.
     surveyed: Option<([Arc<Scene>; 2], View)>,
     asked: Option<([Arc<Scene>; 2], View)>,
-    texture: Option<TextureId>,
 }
 
 impl Screen {
     /// Nothing to see yet.
-    pub fn new(render_state: &RenderState) -> Self {
+    pub fn new(render_state: &RenderState, passes: &SharedPasses) -> Self {
         Self {
-            picture: Picture::new(render_state),
+            picture: Picture::new(render_state, passes),
             grid: Grid::default(),
             gauge: Gauge::default(),
             survey: Survey::default(),
             surveyed: None,
             asked: None,
-            texture: None,
         }
     }
 
@@ -78,19 +76,30 @@ impl Screen {
                 && Arc::ptr_eq(&scene[1], &other)
                 && *before == View { refine: before.refine, ..asked }
         });
-        let texture = match self.texture.filter(|_| is_same && (waits || haste == Haste::Dragging)) {
-            Some(texture) => texture,
-            None => self.picture.render([&shown, &other], &asked, haste),
-        };
-        self.texture = Some(texture);
+        let rests = haste == Haste::Dragging || (waits && !self.picture.is_rough());
+        if !is_same || self.picture.is_behind() || !rests {
+            self.picture.render([&shown, &other], &asked, haste, !is_same);
+        }
         self.asked = Some(([shown, other], asked));
-        let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
-        ui.painter().image(texture, rect, whole, Color32::WHITE);
+        self.paint_texture(ui, rect);
         let is_working = self.picture.is_behind() || (asked.refine && !self.picture.is_converged());
         if is_working {
             ui.ctx().request_repaint();
         }
         is_working
+    }
+
+    /// The picture that there is, on neutral ground. One that was drawn for a pane of another size keeps its sides'
+    /// proportion, and fills the height, as its field of view does.
+    fn paint_texture(&self, ui: &Ui, rect: Rect) {
+        let painter = ui.painter_at(rect);
+        painter.rect_filled(rect, 0.0, ui.visuals().extreme_bg_color);
+        let (Some((texture, drawn)), Some((_, View { size, .. }))) = (self.picture.texture(), self.asked.as_ref())
+        else {
+            return;
+        };
+        let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
+        painter.image(texture, placed(drawn, *size, rect), whole, Color32::WHITE);
     }
 
     /// Find the picture's numbers where scales or the exposure follow them.
@@ -101,7 +110,9 @@ impl Screen {
         }
         if let Some(survey) = self.picture.survey() {
             self.survey = survey;
-            self.surveyed.clone_from(&self.asked);
+            if !self.picture.is_behind() {
+                self.surveyed.clone_from(&self.asked);
+            }
             ui.ctx().request_repaint();
         }
         if self.picture.is_surveying() {
@@ -200,6 +211,15 @@ impl Screen {
     }
 }
 
+/// Where a picture lies that was drawn for a pane of `drawn` pixels, when the pane is `rect`, of `size` pixels.
+fn placed(drawn: [u32; 2], size: [u32; 2], rect: Rect) -> Rect {
+    if drawn == size {
+        return rect;
+    }
+    let [width, height] = drawn.map(|side| side as f32);
+    Rect::from_center_size(rect.center(), vec2(rect.height() * width / height, rect.height()))
+}
+
 /// How many lights the fit has that the view shows, by itself or to compare with.
 fn shown_fit(session: &Session) -> Option<u32> {
     let ViewState { mode, method, against, against_variant, .. } = session.view;
@@ -256,4 +276,19 @@ fn paint_camera_info(projection: &Projection, painter: &Painter) {
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a positive number of pixels below 2³²")]
 fn physical(side: f32, pixels_per_point: f32) -> u32 {
     (side * pixels_per_point).round().max(1.0) as u32
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_picture_of_another_pane_is_not_stretched() {
+        let rect = Rect::from_min_size(pos2(10.0, 20.0), vec2(300.0, 400.0));
+        assert_eq!(placed([300, 400], [300, 400], rect), rect, "of this pane");
+        let wider = placed([1200, 800], [300, 400], rect);
+        assert_eq!((wider.size(), wider.center()), (vec2(600.0, 400.0), rect.center()), "cut at both sides");
+        let narrower = placed([150, 800], [300, 400], rect);
+        assert_eq!(narrower.size(), vec2(75.0, 400.0), "with ground at both sides");
+    }
 }
