@@ -3,7 +3,6 @@
 use std::path::Path;
 
 use egui::{CentralPanel, Frame, Margin, Panel, Ui, ViewportCommand};
-use egui_tiles::Tree;
 
 use super::commands::{self, Command};
 use super::dialogs::Dialogs;
@@ -12,7 +11,9 @@ use super::exporting::Exporting;
 use super::files::{Files, Then};
 use super::folders::Folders;
 use super::library::thumbnails::Thumbnails;
-use super::panes::{self, Choice, Keys, Library, Messages, Outcome, Palette, Pane, Panes, Recover, Views, Work};
+use super::panes::{
+    self, Choice, Keys, Layout, Library, Messages, Outcome, Palette, Pane, Panes, Recover, Views, Work,
+};
 use super::recovery::{Offer, Recovery};
 use super::session::Session;
 use super::theme;
@@ -21,7 +22,7 @@ use crate::gpu::Stats;
 use crate::scene;
 
 /// Where the arrangement of panes is kept between runs; another number where old arrangements no longer fit.
-const LAYOUT_KEY: &str = "layout-2";
+const LAYOUT_KEY: &str = "layout-3";
 /// Where the recent files are kept between runs.
 const RECENT_KEY: &str = "recent";
 /// Where it is kept that the first steps need not be shown again.
@@ -35,7 +36,7 @@ pub struct App {
     pub files: Files,
     /// How files are chosen.
     pub dialogs: Box<dyn Dialogs>,
-    layout: Tree<Pane>,
+    layout: Layout,
     views: Views,
     messages: Messages,
     /// The open export dialog.
@@ -67,7 +68,7 @@ impl App {
             session: Session::new(scene::first_light(), None),
             files: Files::new(recent.unwrap_or_default()),
             dialogs,
-            layout: layout.unwrap_or_else(panes::default_layout),
+            layout: layout.unwrap_or_default(),
             views: Views {
                 viewport: cc.wgpu_render_state.as_ref().map(Viewport::new),
                 library: Library::new(folders),
@@ -91,12 +92,12 @@ impl App {
 
     /// Put all panes where they were at first.
     pub fn reset_layout(&mut self) {
-        self.layout = panes::default_layout();
+        self.layout = Layout::default();
     }
 
     /// Bring a pane to the front of its tabs.
     pub fn show_pane(&mut self, pane: Pane) {
-        panes::reveal(&mut self.layout, pane);
+        self.layout.reveal(pane);
     }
 
     /// The curves that have been asked for, and those that have been shown.
@@ -199,7 +200,7 @@ impl App {
             .show(ui, |ui| {
                 self.views.problems.update(&self.session);
                 let mut panes = Panes { session: &mut self.session, views: &mut self.views, commands: Vec::new() };
-                self.layout.ui(&mut panes, ui);
+                self.layout.show(&mut panes, ui);
                 if panes.views.painter.end_frame(panes.session) {
                     ui.ctx().request_repaint();
                 }

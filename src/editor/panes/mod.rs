@@ -6,6 +6,7 @@ mod export;
 mod gesture;
 mod inspector;
 mod keys;
+mod layout;
 mod library;
 mod links;
 mod look;
@@ -24,6 +25,7 @@ pub(super) use context::view_menu;
 pub(super) use export::ask_export;
 pub use inspector::Inspector;
 pub use keys::Keys;
+pub use layout::Layout;
 pub use library::Library;
 pub(super) use library::has_lights;
 pub use menu::{menu_bar, toolbar};
@@ -38,7 +40,7 @@ pub use variants::Variants;
 
 use egui::{Button, Color32, Response, Ui, WidgetText, vec2};
 use egui_material_icons::MaterialIcon;
-use egui_tiles::{Container, Linear, LinearDir, SimplificationOptions, Tile, TileId, Tiles, Tree, UiResponse};
+use egui_tiles::{SimplificationOptions, TileId, Tiles, UiResponse};
 
 use super::commands::Command;
 use super::library::thumbnails::Thumbnails;
@@ -115,44 +117,6 @@ pub struct Panes<'a> {
     pub commands: Vec<Command>,
 }
 
-/// The panes as they are at first: outliner over variants, viewport over plots, inspector.
-pub fn default_layout() -> Tree<Pane> {
-    let mut tiles = Tiles::default();
-    let tab = |tiles: &mut Tiles<Pane>, panes: &[Pane]| {
-        let children = panes.iter().map(|pane| tiles.insert_pane(*pane)).collect();
-        tiles.insert_tab_tile(children)
-    };
-    let outliner = tab(&mut tiles, &[Pane::Outliner]);
-    let variants = tab(&mut tiles, &[Pane::Variants]);
-    let viewport = tab(&mut tiles, &[Pane::Viewport]);
-    let below = tab(&mut tiles, &[Pane::Plots, Pane::Painter, Pane::Library, Pane::Problems]);
-    let inspector = tab(&mut tiles, &[Pane::Inspector]);
-    let middle = insert(&mut tiles, LinearDir::Vertical, &[(viewport, 0.6), (below, 0.4)]);
-    let left = insert(&mut tiles, LinearDir::Vertical, &[(outliner, 0.75), (variants, 0.25)]);
-    let root = insert(&mut tiles, LinearDir::Horizontal, &[(left, 0.225), (middle, 0.535), (inspector, 0.24)]);
-    Tree::new(egui::Id::unique("panes"), root, tiles)
-}
-
-/// Bring a pane to the front; one that is nowhere comes beside the plots.
-pub fn reveal(layout: &mut Tree<Pane>, pane: Pane) {
-    if layout.tiles.find_pane(&pane).is_none() {
-        let beside = layout.tiles.find_pane(&Pane::Plots).and_then(|plots| layout.tiles.parent_of(plots));
-        let tile = layout.tiles.insert_pane(pane);
-        if let Some(beside) = beside.or(layout.root) {
-            layout.move_tile_to_container(tile, beside, usize::MAX, false);
-        }
-    }
-    layout.make_active(|_, tile| matches!(tile, Tile::Pane(other) if *other == pane));
-}
-
-fn insert(tiles: &mut Tiles<Pane>, dir: LinearDir, shares: &[(TileId, f32)]) -> TileId {
-    let mut linear = Linear::new(dir, shares.iter().map(|(tile, _)| *tile).collect());
-    for (tile, share) in shares {
-        linear.shares.set_share(*tile, *share);
-    }
-    tiles.insert_container(Container::Linear(linear))
-}
-
 impl egui_tiles::Behavior<Pane> for Panes<'_> {
     fn pane_ui(&mut self, ui: &mut Ui, _tile_id: TileId, pane: &mut Pane) -> UiResponse {
         ui.painter().rect_filled(ui.max_rect(), 0.0, ui.visuals().panel_fill);
@@ -188,7 +152,7 @@ impl egui_tiles::Behavior<Pane> for Panes<'_> {
     }
 
     fn gap_width(&self, _style: &egui::Style) -> f32 {
-        3.0
+        layout::GAP
     }
 
     fn min_size(&self) -> f32 {
