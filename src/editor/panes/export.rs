@@ -181,13 +181,19 @@ fn fates(ui: &mut Ui, exporting: &Exporting) {
     }
 }
 
+/// What becomes of a thing; lines after the first begin where the thing's name does.
 fn row(ui: &mut Ui, remark: &Remark) {
-    ui.horizontal_wrapped(|ui| {
-        ui.spacing_mut().item_spacing.x = 8.0;
-        let fate = RichText::new(remark.fate.name()).color(color(remark.fate, ui.visuals()));
-        ui.add_sized(vec2(FATE, ui.spacing().interact_size.y), egui::Label::new(fate).halign(Align::Min));
-        ui.label(&remark.thing);
-        ui.weak(&remark.what);
+    ui.horizontal_top(|ui| {
+        let color = color(remark.fate, ui.visuals());
+        let start = ui.cursor().left();
+        ui.colored_label(color, remark.fate.name());
+        ui.add_space((start + FATE - ui.cursor().left()).max(0.0));
+        let mut text = egui::text::LayoutJob::default();
+        let parts = [RichText::new(&remark.thing), RichText::new(format!("  {}", remark.what)).weak()];
+        for part in parts {
+            part.append_to(&mut text, ui.style(), egui::FontSelection::Default, Align::Center);
+        }
+        ui.add(egui::Label::new(text).wrap());
     });
 }
 
