@@ -180,7 +180,7 @@ impl Writer<'_> {
         let (size, texels) = radiances(light, textured);
         let wrong =
             |cause| ExportError::Encode { what: format!("the picture of {}", light.name), cause: Box::new(cause) };
-        let bytes = exr::radiance(size, &texels).map_err(wrong)?;
+        let bytes = exr::radiance(size, &texels, self.job.origin()).map_err(wrong)?;
         let file = self.job.file_beside(&self.names.of(&light.name), "exr", bytes);
         let name = file.name.clone();
         self.files.push(file);

@@ -335,13 +335,13 @@ impl Writer<'_> {
     /// Puts triangles beside the main file; gives the file's name.
     fn mesh_file(&mut self, name: &str, triangles: &[Triangle]) -> String {
         let identifier = self.names.of(name);
-        self.put(self.job.file_beside(&identifier, "ply", ply::ply(triangles)))
+        self.put(self.job.file_beside(&identifier, "ply", ply::ply(triangles, self.job.origin())))
     }
 
     /// Puts a picture beside the main file; gives the file's name.
     fn picture(&mut self, name: &str, size: [u32; 2], texels: &[DVec3]) -> Result<String, ExportError> {
         let wrong = |cause| ExportError::Encode { what: format!("the picture of {name}"), cause: Box::new(cause) };
-        let bytes = exr::radiance(size, texels).map_err(wrong)?;
+        let bytes = exr::radiance(size, texels, self.job.origin()).map_err(wrong)?;
         let identifier = self.names.of(name);
         Ok(self.put(self.job.file_beside(&identifier, "exr", bytes)))
     }

@@ -16,6 +16,7 @@ mod ies;
 mod job;
 mod json;
 mod mitsuba;
+mod origin;
 mod picture;
 pub mod plot;
 mod plots;
@@ -31,6 +32,7 @@ mod usda;
 mod wgsl;
 
 pub use job::{ExportError, Exported, File, Job, Options};
+pub use origin::Origin;
 pub use preflight::{Fate, Remark};
 pub use target::{Target, UnknownTarget};
 

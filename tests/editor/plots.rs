@@ -162,7 +162,10 @@ fn a_slow_curve_holds_no_frame_and_is_given_up_when_it_is_not_wanted_any_more() 
     window.harness.query_all_by_label("tilt").last().expect("the menu").click();
     window.harness.run_steps(100);
     let app = window.harness.state();
-    assert!(app.busy_with().is_some() && finished(app) == (before.0 + 1, before.1), "the reference is not done: {before:?}");
+    assert!(
+        app.busy_with().is_some() && finished(app) == (before.0 + 1, before.1),
+        "the reference is not done: {before:?}"
+    );
     assert!(
         window.has("Curves of tilt") && window.has_any("…"),
         "what is done is shown, and what is not is waited for"

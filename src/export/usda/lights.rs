@@ -170,7 +170,7 @@ impl Stage<'_> {
         let attributes = [("float", "inputs:width", size.x), ("float", "inputs:height", size.y)];
         let prim = Prim::new("RectLight", luminance, &attributes);
         let mut picture = |name: &str, upside_down| -> Result<Prim, ExportError> {
-            let file = self.job.file_beside(name, "exr", texture::picture(pattern, upside_down)?);
+            let file = self.job.file_beside(name, "exr", texture::picture(pattern, upside_down, self.job.origin())?);
             let prim = prim.clone().with_texture(&file.name);
             self.files.push(file);
             Ok(prim)
@@ -214,7 +214,7 @@ impl Stage<'_> {
             if cosine > 0.0 { sky.uniform + sky.cosine * cosine } else { 0.0 }
         };
         let texels: Vec<_> = (0..size[1]).flat_map(|row| vec![DVec3::splat(radiance(row)); size[0] as usize]).collect();
-        let bytes = exr::radiance(size, &texels)
+        let bytes = exr::radiance(size, &texels, self.job.origin())
             .map_err(|cause| ExportError::Encode { what: "the sky's picture".to_owned(), cause: Box::new(cause) })?;
         let file = self.job.file_beside(name, "exr", bytes);
         let mut prim = Prim::new("DomeLight", luminance, &[]).with_texture(&file.name);
