@@ -38,7 +38,7 @@ LOST = {
     "usda": {"line-falloff-1"},
     "mitsuba": {"line-falloff-1", "point-ies"},
     "radiance": set(),
-    "blender": {"point-ies"},
+    "blender": set(),
 }
 
 

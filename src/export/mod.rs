@@ -13,6 +13,7 @@ mod gloss;
 mod glsl;
 mod gltf;
 mod ies;
+mod intensities;
 mod job;
 mod json;
 mod mitsuba;
