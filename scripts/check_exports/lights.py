@@ -36,7 +36,7 @@ TILT=NONE
 # What a target says that it cannot hold; all else must be there.
 LOST = {
     "usda": {"line-falloff-1"},
-    "mitsuba": {"line-falloff-1", "point-ies"},
+    "mitsuba": {"line-falloff-1"},
     "radiance": set(),
     "blender": set(),
 }
