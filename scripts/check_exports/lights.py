@@ -36,9 +36,9 @@ TILT=NONE
 # What a target says that it cannot hold; all else must be there.
 LOST = {
     "usda": {"line-falloff-1"},
-    "mitsuba": {"line-falloff-1", "point-ies"},
+    "mitsuba": {"line-falloff-1"},
     "radiance": set(),
-    "blender": {"point-ies"},
+    "blender": set(),
 }
 
 

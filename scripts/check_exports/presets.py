@@ -1,4 +1,4 @@
-"""Every preset in every format: does the program that reads it find fault with the file?"""
+"""Every preset and a scene of variants in every format: does the program that reads it find fault with the file?"""
 
 from pathlib import Path
 
@@ -6,11 +6,14 @@ from softbox import Softbox
 
 FOLDER = Path(__file__).parents[2] / "presets"
 
+# Lights linked to surfaces, and in several states.
+VARIANTS = Path(__file__).parents[2] / "tests/data/evening.toml"
+
 
 def check(softbox: Softbox, target: str, extension: str, faults, broken) -> list[str]:
     """What `faults` finds in the files of a target; `broken` damages a file's text, which must be seen."""
     wrong, last = [], None
-    for scene in sorted(FOLDER.glob("*/*.toml")):
+    for scene in [VARIANTS, *sorted(FOLDER.glob("*/*.toml"))]:
         path = softbox.export(scene, target, f"{scene.parent.name}-{scene.stem}.{extension}", allow_loss=True)
         wrong += [f"{target}: {scene.stem}: {fault}" for fault in faults_of(path, faults)]
         last = path

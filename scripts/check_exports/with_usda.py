@@ -18,6 +18,18 @@ PIECES = 192
 def faults(path: Path) -> list[str]:
     """What the validators say, and where a light is scaled or its intensity is no luminance."""
     stage = Usd.Stage.Open(str(path))
+    found = faults_of(stage)
+    sets = [(prim.GetPath(), name) for prim in stage.Traverse() for name in prim.GetVariantSets().GetNames()]
+    for path, name in sets:
+        choice = stage.GetPrimAtPath(path).GetVariantSet(name)
+        for variant in choice.GetVariantNames():
+            choice.SetVariantSelection(variant)
+            found += faults_of(stage)
+    return found
+
+
+def faults_of(stage: Usd.Stage) -> list[str]:
+    """The same of the variants that are chosen."""
     context = UsdValidation.ValidationContext(UsdValidation.ValidationRegistry().GetOrLoadAllValidators())
     found = [f"{error.GetName()}: {error.GetMessage()}" for error in context.Validate(stage)]
     if UsdGeom.GetStageUpAxis(stage) != UsdGeom.Tokens.z or UsdGeom.GetStageMetersPerUnit(stage) != 1.0:

@@ -7,7 +7,7 @@ use super::shadows::ShadowArgs;
 use super::size::Size;
 use super::{Outcome, columns, files, progress};
 use crate::analysis::{Comparison, Summary, error_map};
-use crate::export;
+use crate::export::{self, Origin};
 use crate::render::MethodChoice;
 use crate::shading::Method;
 
@@ -69,9 +69,10 @@ pub(super) fn run(args: &Args) -> anyhow::Result<Outcome> {
         return Ok(Outcome::Interrupted);
     };
     let what = format!("{} \u{2212} {}", args.of, args.against);
+    let origin = Origin { scene: &files::name(&args.scene) };
     let bytes = match format {
-        Format::Png => export::error_map::png(&map, &what, args.limit)?,
-        Format::Exr => export::error_map::exr(&map)?,
+        Format::Png => export::error_map::png(&map, &what, args.limit, origin)?,
+        Format::Exr => export::error_map::exr(&map, origin)?,
     };
     files::write(&args.output, &bytes)?;
     write!(std::io::stdout(), "{}", told(&what, &map.summary()))?;

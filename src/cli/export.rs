@@ -113,7 +113,7 @@ fn exported(
     progress: &crate::render::Progress,
 ) -> Result<Exported, ExportError> {
     let stem = args.output.as_ref().unwrap_or(&args.scene).file_stem().unwrap_or_default().to_string_lossy();
-    let scene_name = args.scene.file_name().unwrap_or_default().to_string_lossy();
+    let scene_name = files::name(&args.scene);
     let punctual = args.punctual_error.map_or(Budget::Count(args.punctual), |percent| Budget::Worst(0.01 * percent));
     let job = Job {
         scene,

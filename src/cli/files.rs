@@ -1,5 +1,6 @@
 //! Files named on the command line.
 
+use std::borrow::Cow;
 use std::path::Path;
 
 use anyhow::{Context, bail};
@@ -30,6 +31,11 @@ pub(super) fn material<'a>(scene: &'a Scene, path: &Path, name: Option<&str>) ->
             .with_context(|| format!("{}: has no material `{name}`; it has {}", path.display(), names())),
         None => Ok(&scene.materials[0]),
     }
+}
+
+/// The name of a file, without its folder.
+pub(super) fn name(path: &Path) -> Cow<'_, str> {
+    path.file_name().unwrap_or_default().to_string_lossy()
 }
 
 /// The format that an output's extension names.

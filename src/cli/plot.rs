@@ -8,6 +8,7 @@ use anyhow::bail;
 
 use super::{Outcome, files};
 use crate::analysis::{self, Sheet};
+use crate::export::Origin;
 use crate::export::plot::{PlotFormat, SAMPLES};
 use crate::scene::{Plot, Scene};
 
@@ -19,7 +20,7 @@ pub(super) struct Args {
     /// The one plot of that name; all plots of the scene where it is not given.
     #[arg(short, long, value_name = "NAME")]
     plot: Option<String>,
-    /// Picture to write, .svg or .png, or a .csv of plot,x,method,y,error,bound.
+    /// Picture to write, .svg or .png, or a .csv of plot,x,method,y,error,bound under a comment.
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
 }
@@ -37,7 +38,7 @@ pub(super) fn run(args: &Args) -> anyhow::Result<Outcome> {
     let Some(plots) = sheets(&scene, &wanted, &cancel) else {
         return Ok(Outcome::Interrupted);
     };
-    files::write(&args.output, &format.write(&plots)?)?;
+    files::write(&args.output, &format.write(&plots, Origin { scene: &files::name(&args.scene) })?)?;
     Ok(Outcome::Done)
 }
 

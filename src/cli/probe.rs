@@ -18,7 +18,7 @@ use crate::shading::ShadingPoint;
 /// Irradiance (lx) and radiance (cd/m²) at points, as CSV on standard output.
 ///
 /// The points are CSV with the header x,y,z,nx,ny,nz,vx,vy,vz: position, normal, direction to the eye. Normal and
-/// direction need not be of unit length.
+/// direction need not be of unit length; lines that begin with # are skipped.
 #[derive(Debug, clap::Args)]
 pub(super) struct Args {
     /// Scene file.
@@ -73,7 +73,11 @@ pub(super) fn run(args: &Args) -> anyhow::Result<Outcome> {
     let choices = args.method.choices(&scene);
     let lightings: Vec<_> =
         choices.into_iter().map(|choice| (choice, prepare(&scene, choice, args.shadows.shadows()).1)).collect();
-    let mut rows = csv::ReaderBuilder::new().trim(csv::Trim::All).flexible(true).from_reader(open(&args.points)?);
+    let mut rows = csv::ReaderBuilder::new()
+        .trim(csv::Trim::All)
+        .comment(Some(b'#'))
+        .flexible(true)
+        .from_reader(open(&args.points)?);
     let name =
         if args.points == Path::new("-") { "standard input".to_owned() } else { args.points.display().to_string() };
     if rows.headers().with_context(|| name.clone())?.iter().ne(POINT_COLUMNS) {

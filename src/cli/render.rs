@@ -7,7 +7,7 @@ use anyhow::bail;
 use super::shadows::ShadowArgs;
 use super::size::Size;
 use super::{Outcome, files, progress};
-use crate::export;
+use crate::export::{self, Origin};
 use crate::render::{Film, MethodChoice, Settings, render};
 use crate::scene::Scene;
 
@@ -66,9 +66,10 @@ pub(super) fn run(args: &Args) -> anyhow::Result<Outcome> {
         Renderer::Gpu => Some(on_gpu(&scene, &settings)?),
     };
     let Some(film) = film else { return Ok(Outcome::Interrupted) };
+    let origin = Origin { scene: &files::name(&args.scene) };
     let bytes = match format {
-        Format::Png => export::png::rgb(film.size(), film.srgb())?,
-        Format::Exr => export::exr::radiance(film.size(), film.radiance())?,
+        Format::Png => export::png::rgb(film.size(), film.srgb(), origin)?,
+        Format::Exr => export::exr::radiance(film.size(), film.radiance(), origin)?,
     };
     files::write(&args.output, &bytes)?;
     Ok(Outcome::Done)

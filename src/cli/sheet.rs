@@ -8,6 +8,7 @@ use rayon::prelude::*;
 
 use super::size::Size;
 use super::{Outcome, files, progress};
+use crate::export::Origin;
 use crate::export::sheet::{self, Entry};
 use crate::render::thumbnail::thumbnail;
 
@@ -53,7 +54,9 @@ pub(super) fn run(args: &Args) -> anyhow::Result<Outcome> {
     let entries: Option<Vec<_>> =
         progress::with_bar(total, &progress, || paths.par_iter().zip(&scenes).map(picture).collect());
     let Some(entries) = entries else { return Ok(Outcome::Interrupted) };
-    files::write(&args.output, &sheet::png(&entries, args.size.0, args.columns)?)?;
+    let names: Vec<_> = paths.iter().map(|path| files::name(path)).collect();
+    let origin = Origin { scene: &names.join(", ") };
+    files::write(&args.output, &sheet::png(&entries, args.size.0, args.columns, origin)?)?;
     Ok(Outcome::Done)
 }
 

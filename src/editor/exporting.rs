@@ -65,9 +65,7 @@ impl Form {
 
 impl Request {
     fn new(session: &Session, form: Form, stem: &str) -> Self {
-        let file = session.path.as_deref().and_then(Path::file_name).map(|name| name.to_string_lossy().into_owned());
-        let scene_name = file.unwrap_or_else(|| session.title());
-        Self { scene: Arc::clone(session.scene()), scene_name, stem: stem.to_owned(), form }
+        Self { scene: Arc::clone(session.scene()), scene_name: scene_name(session), stem: stem.to_owned(), form }
     }
 
     /// The files and what becomes of each thing.
@@ -165,6 +163,12 @@ impl App {
 /// `path` with that extension, where it has none.
 pub fn with_extension(path: &Path, extension: &str) -> PathBuf {
     if path.extension().is_none() { path.with_extension(extension) } else { path.to_owned() }
+}
+
+/// What files that are written name as their scene.
+pub(super) fn scene_name(session: &Session) -> String {
+    let file = session.path.as_deref().and_then(Path::file_name).map(|name| name.to_string_lossy().into_owned());
+    file.unwrap_or_else(|| session.title())
 }
 
 /// What the file to be written is called at first, without its extension.

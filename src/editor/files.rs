@@ -5,12 +5,13 @@ use std::path::{Path, PathBuf};
 use super::app::App;
 use super::dialogs::{Answer, Reply};
 use super::edits;
-use super::exporting::{Form, Ordered, with_extension};
+use super::exporting::{Form, Ordered, scene_name, with_extension};
 use super::jobs::Errand;
 use super::presets::Preset;
 use super::recovery::Offer;
 use super::session::{Notice, Session};
 use crate::analysis::Sheet;
+use crate::export::Origin;
 use crate::export::plot::PlotFormat;
 use crate::import::usda;
 use crate::render::Progress;
@@ -277,8 +278,10 @@ impl App {
     /// Write a plot whole, or not at all.
     fn write_plot(&mut self, ctx: &egui::Context, path: &Path, format: PlotFormat, sheet: Box<Sheet>) {
         let path = with_extension(path, format.extension());
+        let scene = scene_name(&self.session);
         self.write_aside(ctx, path.clone(), move |_| {
-            let bytes = format.write(std::slice::from_ref(&*sheet)).map_err(|error| error.to_string())?;
+            let origin = Origin { scene: &scene };
+            let bytes = format.write(std::slice::from_ref(&*sheet), origin).map_err(|error| error.to_string())?;
             scene::replace_file(&path, &bytes).map_err(|error| error.to_string())
         });
     }

@@ -12,10 +12,12 @@ use glam::{DMat3, DMat4, DVec3};
 
 use super::emission::{Side, radiances};
 use super::exr;
+use super::intensities::Intensities;
 use super::job::{Identifiers, number};
 use super::preflight::without_variants;
 use super::{ExportError, Exported, Fate, File, Job, Remark};
-use crate::light::{Cap, Light, LineEmitter, PolygonEmitter, Shape, Textured};
+use crate::light::photometry::Photometry;
+use crate::light::{Cap, Light, LineEmitter, Point, PolygonEmitter, Shape, Textured};
 use crate::math::triangulate::ears;
 use crate::render::Progress;
 use crate::scene::Camera;
@@ -130,11 +132,11 @@ impl Writer<'_> {
                 self.call("sky", &[tuple(zenith), tuple(weight), number(sky.uniform), number(sky.cosine)]);
                 kept("in the world's shader")
             }
-            Shape::Point(point) if point.ies.is_some() => {
-                let what = "has the intensities of a photometric file, which this script cannot hold; export it as ies";
-                Ok(Remark::light(light, Fate::Lost, what))
+            Shape::Point(Point { ies: Some(photometry) }) => {
+                let file = self.web(light, photometry, &in_place);
+                changed(&format!("a point lamp with {file}, its intensities by even steps, as Blender blends them"))
             }
-            Shape::Point(_) => {
+            Shape::Point(Point { ies: None }) => {
                 self.lamp(light, "POINT", &in_place, 4.0 * PI * weight, &[("shadow_soft_size", "0.0".to_owned())]);
                 kept("a point lamp")
             }
@@ -180,7 +182,7 @@ impl Writer<'_> {
         let (size, texels) = radiances(light, textured);
         let wrong =
             |cause| ExportError::Encode { what: format!("the picture of {}", light.name), cause: Box::new(cause) };
-        let bytes = exr::radiance(size, &texels).map_err(wrong)?;
+        let bytes = exr::radiance(size, &texels, self.job.origin()).map_err(wrong)?;
         let file = self.job.file_beside(&self.names.of(&light.name), "exr", bytes);
         let name = file.name.clone();
         self.files.push(file);
@@ -210,6 +212,22 @@ impl Writer<'_> {
         // An isotropic line's intensity per metre is 2r times the radiance across it.
         let per_strength = if line.tube.is_some() { 1.0 } else { 0.5 / THIN };
         self.emitter_of(light, per_strength * light.weight(), &mesh, in_place, &properties);
+    }
+
+    /// A point lamp with an IES file of shares of the greatest intensity. Gives the file's name.
+    fn web(&mut self, light: &Light, photometry: &Photometry, in_place: &str) -> String {
+        let Intensities { gammas, planes, shares } = Intensities::of(&photometry.distribution);
+        let line = |numbers: &[f64]| numbers.iter().map(|x| number(*x)).collect::<Vec<_>>().join("\r\n") + "\r\n";
+        let counts = format!("1 -1 1 {} {} 1 2 0 0 0", gammas.len(), planes.len());
+        let head = format!("IESNA:LM-63-2002\r\n[OTHER] {}\r\nTILT=NONE\r\n", self.job.origin().line());
+        let table: String = [&gammas, &planes, &shares].map(|numbers| line(numbers)).concat();
+        let bytes = format!("{head}{counts}\r\n1 1 0\r\n{table}");
+        let file = self.job.file_beside(&self.names.of(&light.name), "ies", bytes);
+        let name = file.name.clone();
+        self.files.push(file);
+        let arguments = [text(&light.name), in_place.to_owned(), linked(light), tuple(light.weight()), text(&name)];
+        self.call("web", &arguments);
+        name
     }
 
     fn emitter(&mut self, light: &Light, mesh: &str, frame: &str, properties: &[(&str, &str)]) {

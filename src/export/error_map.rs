@@ -1,8 +1,8 @@
 //! Error maps in false colour, with their scale.
 
-use super::exr;
 use super::png::{DrawError, draw, rgb};
 use super::svg::{ColorScale, three_digits};
+use super::{Origin, exr};
 use crate::analysis::ErrorMap;
 use crate::render::false_colour::{self, NOTHING};
 
@@ -14,7 +14,7 @@ const WHITE: [u8; 3] = [255; 3];
 /// The map as a PNG with its scale beneath, from −`limit` to `limit` cd/m²; by default as far as the map reaches.
 ///
 /// Pixels without a surface are grey, and outlines are dimmed. `what` says what is compared.
-pub fn png(map: &ErrorMap, what: &str, limit: Option<f64>) -> Result<Vec<u8>, DrawError> {
+pub fn png(map: &ErrorMap, what: &str, limit: Option<f64>, origin: Origin) -> Result<Vec<u8>, DrawError> {
     let summary = map.summary();
     let end = limit.unwrap_or(summary.worst.abs());
     let end = if end > 0.0 { end } else { 1.0 };
@@ -42,13 +42,13 @@ pub fn png(map: &ErrorMap, what: &str, limit: Option<f64>) -> Result<Vec<u8>, Dr
     let colors: Vec<_> = pixels.map(|(color, outlined)| if *outlined { dimmed(color) } else { color }).collect();
     let rows = colors.chunks_exact(width as usize).map(|row| [&left, row, &right].concat());
     let pixels: Vec<_> = rows.flatten().chain(scale_pixels).collect();
-    Ok(rgb([full, height + scale_size[1]], &pixels)?)
+    Ok(rgb([full, height + scale_size[1]], &pixels, origin)?)
 }
 
 /// The signed differences as an EXR picture, cd/m² of linear Rec. 709; 0 where there is no surface.
-pub fn exr(map: &ErrorMap) -> image::ImageResult<Vec<u8>> {
+pub fn exr(map: &ErrorMap, origin: Origin) -> Result<Vec<u8>, ::exr::error::Error> {
     let pixels: Vec<_> = map.difference().iter().map(|difference| difference.unwrap_or_default()).collect();
-    exr::radiance(map.size(), &pixels)
+    exr::radiance(map.size(), &pixels, origin)
 }
 
 /// A colour half way to grey.

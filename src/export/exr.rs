@@ -2,15 +2,28 @@
 
 use std::io::Cursor;
 
+use exr::error::Error;
+use exr::meta::attribute::Text;
+use exr::prelude::{Encoding, Image, Layer, LayerAttributes, SpecificChannels, Vec2, WritableImage as _};
 use glam::DVec3;
-use image::{ImageBuffer, ImageFormat, ImageResult, Rgb};
+
+use super::Origin;
+use super::origin::PROGRAM;
 
 /// A picture of radiance in cd/m², linear Rec. 709 (OpenEXR's default primaries), without exposure.
-pub fn radiance(size: [u32; 2], pixels: &[DVec3]) -> ImageResult<Vec<u8>> {
-    let samples = pixels.iter().flat_map(|pixel| pixel.as_vec3().to_array()).collect();
-    let picture: ImageBuffer<Rgb<f32>, Vec<f32>> =
-        ImageBuffer::from_raw(size[0], size[1], samples).expect("a film has width times height pixels");
+///
+/// Its attributes `software` and `comments` have the origin, in UTF-8.
+pub fn radiance(size: [u32; 2], pixels: &[DVec3], origin: Origin) -> Result<Vec<u8>, Error> {
+    let [width, height] = size.map(|side| side as usize);
+    let value = |at: Vec2<usize>| <(f32, f32, f32)>::from(pixels[at.y() * width + at.x()].as_vec3());
+    let layer = Layer::new((width, height), attributes(origin), Encoding::default(), SpecificChannels::rgb(value));
     let mut bytes = Cursor::new(Vec::new());
-    picture.write_to(&mut bytes, ImageFormat::OpenExr)?;
+    Image::from_layer(layer).write().non_parallel().to_buffered(&mut bytes)?;
     Ok(bytes.into_inner())
+}
+
+/// What a picture says of its origin.
+pub(super) fn attributes(origin: Origin) -> LayerAttributes {
+    let text = |text: &str| Some(Text::from_slice_unchecked(text.as_bytes()));
+    LayerAttributes { software_name: text(PROGRAM), comments: text(&origin.line()), ..LayerAttributes::default() }
 }

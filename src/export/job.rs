@@ -3,8 +3,8 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use super::Target;
 use super::preflight::{Fate, Remark, lines};
+use super::{Origin, Target};
 use crate::light::Light;
 use crate::render::MethodChoice;
 use crate::scene::{Scene, suggestion};
@@ -118,6 +118,11 @@ impl Exported {
 }
 
 impl Job<'_> {
+    /// Who makes the files, and of what.
+    pub(super) fn origin(&self) -> Origin<'_> {
+        Origin { scene: self.scene_name }
+    }
+
     /// The main file of these bytes.
     pub(super) fn main_file(&self, bytes: impl Into<Vec<u8>>) -> File {
         File { name: format!("{}.{}", self.stem, self.target.extension()), bytes: bytes.into() }
@@ -177,8 +182,7 @@ impl Job<'_> {
 
     /// The lines that a file begins with, behind a comment's sign: who wrote it, of what, and what became of each thing.
     pub(super) fn header(&self, remarks: &[Remark], comment: &str) -> String {
-        let title = format!("Softbox {}, scene {}", env!("CARGO_PKG_VERSION"), one_line(self.scene_name));
-        let lines = [title].into_iter().chain(lines(remarks).into_iter().map(|line| one_line(&line)));
+        let lines = [self.origin().line()].into_iter().chain(lines(remarks).into_iter().map(|line| one_line(&line)));
         lines.map(|line| format!("{comment} {line}\n")).collect()
     }
 }

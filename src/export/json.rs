@@ -8,6 +8,7 @@ use std::fmt::Write as _;
 use toml_edit::{DocumentMut, Item, Value};
 
 use super::job::Identifiers;
+use super::origin::PROGRAM;
 use super::{ExportError, Exported, Fate, File, Job, Remark};
 use crate::light::{Point, Shape, pattern::Pattern, photometry::Photometry};
 use crate::render::Progress;
@@ -111,7 +112,7 @@ fn document(job: &Job, scene: &Scene, remarks: &[Remark]) -> Result<String, Expo
         })
         .collect();
     let mut text = String::new();
-    let _ = writeln!(text, "{{\n  \"generator\": \"Softbox {}\",", env!("CARGO_PKG_VERSION"));
+    let _ = writeln!(text, "{{\n  \"generator\": \"{PROGRAM}\",");
     let _ = writeln!(text, "  \"file\": {},", quoted(job.scene_name));
     let _ = writeln!(text, "  \"remarks\": [{}\n  ],", remarks.join(","));
     let _ = writeln!(text, "  \"scene\": {}\n}}", item(toml.as_item(), 1));

@@ -6,11 +6,13 @@
 mod ply;
 mod sky;
 mod surfaces;
+mod web;
 mod xml;
 
 use std::collections::BTreeSet;
+use std::f64::consts::PI;
 
-use glam::{DMat4, DVec3};
+use glam::{DMat3, DMat4, DVec3};
 
 use self::xml::Xml;
 use super::emission::{SIDE_GAP, Side, has_body, outlines, radiances};
@@ -18,7 +20,8 @@ use super::exr;
 use super::job::{Identifiers, number};
 use super::preflight::without_variants;
 use super::{ExportError, Exported, Fate, File, Job, Remark};
-use crate::light::{Cap, Light, LineEmitter, PolygonEmitter, Shape, Textured};
+use crate::light::photometry::Distribution;
+use crate::light::{Cap, Light, LineEmitter, Point, PolygonEmitter, Shape, Textured};
 use crate::math::quadrature::GaussLegendre;
 use crate::math::triangulate::ears;
 use crate::render::Progress;
@@ -172,11 +175,14 @@ impl Writer<'_> {
                 let width = 360.0 / f64::from(sky::MAP_SIZE[0]);
                 changed(&format!("in a picture of the surroundings with texels of {width}°"))
             }
-            Shape::Point(point) if point.ies.is_some() => {
-                let what = "has the intensities of a photometric file, which Mitsuba's points do not; export it as ies";
-                Remark::light(light, Fate::Lost, what)
+            Shape::Point(Point { ies: Some(photometry) }) => {
+                let count = self.projectors(light, &photometry.distribution)?;
+                let texels = web::TEXELS;
+                changed(&format!(
+                    "{count} projectors in its place, of {texels}² intensities each, a third of a degree apart"
+                ))
             }
-            Shape::Point(_) => {
+            Shape::Point(Point { ies: None }) => {
                 self.xml.open("emitter", &[("type", "point")]);
                 self.xyz("point", "position", light.position);
                 self.xml.value("rgb", "intensity", &rgb(light.weight()));
@@ -268,6 +274,31 @@ impl Writer<'_> {
         Ok(file)
     }
 
+    /// A point of measured intensities: projectors for the sides of a cube about it that get light. Gives their number.
+    ///
+    /// A projector's picture is its illuminance at a distance of 1 divided by π (as Mitsuba 3.9.1 was seen to take it).
+    fn projectors(&mut self, light: &Light, distribution: &Distribution) -> Result<usize, ExportError> {
+        let lit = |side: DMat3| (side, web::irradiance(distribution, &side));
+        let sides = web::sides().map(lit).into_iter().filter(|(_, irradiance)| irradiance.iter().any(|x| *x > 0.0));
+        let world_from_light = light.world_from_light();
+        let mut count = 0;
+        for (side, irradiance) in sides {
+            count += 1;
+            let texels: Vec<_> = irradiance.iter().map(|share| *share / PI * light.weight()).collect();
+            let file = self.picture(&format!("{} {count}", light.name), [web::TEXELS; 2], &texels)?;
+            self.xml.open("emitter", &[("type", "projector")]);
+            let axes = world_from_light.matrix3 * side;
+            self.transform(&DMat4::from_mat3_translation(axes, world_from_light.translation));
+            self.xml.value("float", "fov", "90");
+            self.xml.open("texture", &[("name", "irradiance"), ("type", "bitmap")]);
+            self.xml.value("string", "filename", &file);
+            self.xml.value("string", "wrap_mode", "clamp");
+            self.xml.close();
+            self.xml.close();
+        }
+        Ok(count)
+    }
+
     /// Skies and wide caps, all in one picture: Mitsuba has but one.
     fn map(&mut self, lights: &[&Light]) -> Result<(), ExportError> {
         let file = self.picture("surroundings", sky::MAP_SIZE, &sky::map(lights))?;
@@ -335,13 +366,13 @@ impl Writer<'_> {
     /// Puts triangles beside the main file; gives the file's name.
     fn mesh_file(&mut self, name: &str, triangles: &[Triangle]) -> String {
         let identifier = self.names.of(name);
-        self.put(self.job.file_beside(&identifier, "ply", ply::ply(triangles)))
+        self.put(self.job.file_beside(&identifier, "ply", ply::ply(triangles, self.job.origin())))
     }
 
     /// Puts a picture beside the main file; gives the file's name.
     fn picture(&mut self, name: &str, size: [u32; 2], texels: &[DVec3]) -> Result<String, ExportError> {
         let wrong = |cause| ExportError::Encode { what: format!("the picture of {name}"), cause: Box::new(cause) };
-        let bytes = exr::radiance(size, texels).map_err(wrong)?;
+        let bytes = exr::radiance(size, texels, self.job.origin()).map_err(wrong)?;
         let identifier = self.names.of(name);
         Ok(self.put(self.job.file_beside(&identifier, "exr", bytes)))
     }

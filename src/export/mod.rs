@@ -13,9 +13,11 @@ mod gloss;
 mod glsl;
 mod gltf;
 mod ies;
+mod intensities;
 mod job;
 mod json;
 mod mitsuba;
+mod origin;
 mod picture;
 pub mod plot;
 mod plots;
@@ -31,6 +33,7 @@ mod usda;
 mod wgsl;
 
 pub use job::{ExportError, Exported, File, Job, Options};
+pub use origin::Origin;
 pub use preflight::{Fate, Remark};
 pub use target::{Target, UnknownTarget};
 

@@ -12,15 +12,13 @@ pub(super) fn write(job: &Job, progress: &Progress) -> Result<Exported, ExportEr
     let settings =
         Settings { size: job.options.size, choice: job.options.method, samples: SAMPLES, shadows: Shadows::default() };
     let film = render(&scene, &settings, progress).ok_or(ExportError::Cancelled)?;
-    let program = format!("Softbox {}", env!("CARGO_PKG_VERSION"));
-    let texts = [("Software", program.as_str()), ("Source", job.scene_name)];
     let (bytes, what) = match job.target {
         Target::Exr => (
-            exr::radiance(film.size(), film.radiance()).map_err(|cause| encoding(job, cause))?,
+            exr::radiance(film.size(), film.radiance(), job.origin()).map_err(|cause| encoding(job, cause))?,
             "is in the picture, in single precision",
         ),
         _ => (
-            png::rgb_with(film.size(), film.srgb(), &texts).map_err(|cause| encoding(job, cause))?,
+            png::rgb(film.size(), film.srgb(), job.origin()).map_err(|cause| encoding(job, cause))?,
             "is in the picture, exposed and tone-mapped",
         ),
     };

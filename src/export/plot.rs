@@ -1,6 +1,6 @@
 //! What plots are written as.
 
-use super::{csv, png, svg};
+use super::{Origin, csv, png, svg};
 use crate::analysis::Sheet;
 
 /// Points of a curve where nobody says otherwise: half a degree apart over ±90°.
@@ -45,11 +45,11 @@ impl PlotFormat {
     }
 
     /// Plots in this format.
-    pub fn write(self, sheets: &[Sheet]) -> Result<Vec<u8>, PlotError> {
+    pub fn write(self, sheets: &[Sheet], origin: Origin) -> Result<Vec<u8>, PlotError> {
         Ok(match self {
-            Self::Csv => csv::plots(sheets)?,
-            Self::Svg => svg::plots(sheets).into_bytes(),
-            Self::Png => png::from_svg(&svg::plots(sheets), PNG_SCALE)?,
+            Self::Csv => csv::plots(sheets, origin)?,
+            Self::Svg => svg::plots(sheets, origin).into_bytes(),
+            Self::Png => png::from_svg(&svg::plots(sheets, origin), PNG_SCALE, origin)?,
         })
     }
 }

@@ -23,16 +23,10 @@ pub(super) fn write(job: &Job, progress: &Progress) -> Result<Exported, ExportEr
     let encode = |cause| ExportError::Encode { what: "the plots".to_owned(), cause: Box::new(cause) };
     remarks.extend(remarks_on(&scene));
     let bytes = match job.target {
-        Target::Csv => csv::plots(&sheets).map_err(encode)?,
-        _ => described(job, &svg::plots(&sheets)).into_bytes(),
+        Target::Csv => csv::plots(&sheets, job.origin()).map_err(encode)?,
+        _ => svg::plots(&sheets, job.origin()).into_bytes(),
     };
     Ok(Exported { files: vec![job.main_file(bytes)], remarks })
-}
-
-/// A picture that says behind its title who drew it, and of what.
-fn described(job: &Job, svg: &str) -> String {
-    let maker = svg::escaped(job.header(&[], "").trim());
-    svg.replacen("</title>\n", &format!("</title>\n<desc>{maker}</desc>\n"), 1)
 }
 
 fn remarks_on(scene: &Scene) -> Vec<Remark> {

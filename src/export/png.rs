@@ -4,6 +4,10 @@ use png::{BitDepth, ColorType, Compression, Encoder, EncodingError, SrgbRenderin
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{self, Options, Tree};
 
+use super::Origin;
+use super::job::one_line;
+use super::origin::PROGRAM;
+
 /// Why a plot could not be drawn.
 #[derive(Debug, thiserror::Error)]
 pub enum DrawError {
@@ -18,22 +22,16 @@ pub enum DrawError {
     Encode(#[from] EncodingError),
 }
 
-/// A picture of 8-bit sRGB pixels, row by row from the top.
-pub fn rgb(size: [u32; 2], pixels: &[[u8; 3]]) -> Result<Vec<u8>, EncodingError> {
-    rgb_with(size, pixels, &[])
-}
-
-/// [`rgb`] with texts, each behind its keyword.
-pub fn rgb_with(size: [u32; 2], pixels: &[[u8; 3]], texts: &[(&str, &str)]) -> Result<Vec<u8>, EncodingError> {
+/// A picture of 8-bit sRGB pixels, row by row from the top. Its texts `Software` and `Source` have the origin.
+pub fn rgb(size: [u32; 2], pixels: &[[u8; 3]], origin: Origin) -> Result<Vec<u8>, EncodingError> {
     let mut bytes = Vec::new();
     let mut encoder = Encoder::new(&mut bytes, size[0], size[1]);
     encoder.set_color(ColorType::Rgb);
     encoder.set_depth(BitDepth::Eight);
     encoder.set_source_srgb(SrgbRenderingIntent::Perceptual);
     encoder.set_compression(Compression::High);
-    for (keyword, text) in texts {
-        encoder.add_itxt_chunk((*keyword).to_owned(), (*text).to_owned())?;
-    }
+    encoder.add_itxt_chunk("Software".to_owned(), PROGRAM.to_owned())?;
+    encoder.add_itxt_chunk("Source".to_owned(), one_line(origin.scene))?;
     let mut writer = encoder.write_header()?;
     writer.write_image_data(pixels.as_flattened())?;
     writer.finish()?;
@@ -41,9 +39,9 @@ pub fn rgb_with(size: [u32; 2], pixels: &[[u8; 3]], texts: &[(&str, &str)]) -> R
 }
 
 /// An opaque SVG picture at `scale` pixels a unit.
-pub fn from_svg(svg: &str, scale: f32) -> Result<Vec<u8>, DrawError> {
+pub fn from_svg(svg: &str, scale: f32, origin: Origin) -> Result<Vec<u8>, DrawError> {
     let (size, pixels) = draw(svg, scale)?;
-    Ok(rgb(size, &pixels)?)
+    Ok(rgb(size, &pixels, origin)?)
 }
 
 /// Size and pixels of an opaque SVG picture at `scale` pixels a unit.

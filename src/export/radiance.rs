@@ -41,8 +41,11 @@ const FUNCTIONS: &str = include_str!("radiance/functions.cal");
 /// The scene, with functions, a view and pictures beside it.
 pub(super) fn write(job: &Job, _progress: &Progress) -> Result<Exported, ExportError> {
     let (scene, remarks) = job.chosen_scene()?;
-    let functions = job.file_beside("functions", "cal", FUNCTIONS);
-    let view = job.file_beside("view", "vf", view(&scene));
+    let origin = job.origin().line();
+    // Braces end comments of functions.
+    let functions = format!("{{ {} }}\n{FUNCTIONS}", origin.replace(['{', '}'], " "));
+    let functions = job.file_beside("functions", "cal", functions);
+    let view = job.file_beside("view", "vf", format!("# {origin}\n{}", view(&scene)));
     let mut writer = Writer {
         job,
         text: String::new(),
@@ -197,7 +200,8 @@ impl Writer<'_> {
     /// A pattern on its rectangle. Gives the picture's name.
     fn textured(&mut self, light: &Light, name: &str, textured: &Textured) -> String {
         let (size, texels) = radiances(light, textured);
-        let picture::Picture { bytes, size: [columns, rows], gain } = picture::picture(size, &texels);
+        let picture::Picture { bytes, size: [columns, rows], gain } =
+            picture::picture(size, &texels, self.job.origin());
         let file = self.job.file_beside(name, "hdr", bytes);
         let file_name = file.name.clone();
         self.files.push(file);
@@ -259,7 +263,7 @@ impl Writer<'_> {
     /// Gives its name.
     fn web(&mut self, name: &str, web: &Web, axes: &DMat3) -> String {
         let [turns, tilts] = WEB_STEPS;
-        let mut table = format!("2\n0 360 {}\n0 180 {}\n", turns + 1, tilts + 1);
+        let mut table = format!("# {}\n2\n0 360 {}\n0 180 {}\n", self.job.origin().line(), turns + 1, tilts + 1);
         for turn in 0..=turns {
             let (sin, cos) = (TAU * f64::from(turn % turns) / f64::from(turns)).sin_cos();
             for tilt in 0..=tilts {

@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 
+use super::Origin;
 use super::png::{DrawError, draw, rgb};
 use super::svg::escaped;
 
@@ -28,7 +29,7 @@ pub struct Entry {
 /// # Errors
 ///
 /// Where the sheet has no pixels or too many.
-pub fn png(entries: &[Entry], size: [u32; 2], columns: u32) -> Result<Vec<u8>, DrawError> {
+pub fn png(entries: &[Entry], size: [u32; 2], columns: u32, origin: Origin) -> Result<Vec<u8>, DrawError> {
     let count = u32::try_from(entries.len()).unwrap_or(u32::MAX);
     let columns = columns.clamp(1, count.max(1));
     let cell = [size[0] + GAP, size[1] + CAPTION + GAP];
@@ -42,7 +43,7 @@ pub fn png(entries: &[Entry], size: [u32; 2], columns: u32) -> Result<Vec<u8>, D
             pixels[start..][..line.len()].copy_from_slice(line);
         }
     }
-    Ok(rgb(whole, &pixels)?)
+    Ok(rgb(whole, &pixels, origin)?)
 }
 
 /// The names where they belong, on an empty sheet.
@@ -78,7 +79,7 @@ mod tests {
         let size = [60, 40];
         let entry = |i: u8| Entry { name: format!("Lamp {i}"), picture: vec![[200, i, 0]; 60 * 40] };
         let entries: Vec<_> = (0..5).map(entry).collect();
-        let sheet = png(&entries, size, 3).expect("a sheet");
+        let sheet = png(&entries, size, 3, Origin { scene: "lamps" }).expect("a sheet");
         let sheet = image::load_from_memory(&sheet).expect("a picture").into_rgb8();
         assert_eq!([sheet.width(), sheet.height()], [12 + 3 * 72, 12 + 2 * 74], "two rows of three");
         for i in 0..5_u8 {

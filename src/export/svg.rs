@@ -8,6 +8,7 @@ mod scale;
 
 use std::fmt::Write as _;
 
+use super::Origin;
 use crate::analysis::axis::Axis;
 use crate::analysis::{Look, Sheet, Trace, abscissa, turns};
 use frame::Frame;
@@ -41,15 +42,16 @@ const GRID: &str = "#e3e6ea";
 /// A picture of plots, one above the other, on white.
 ///
 /// Costs are measured, so they differ from run to run; all else is the same.
-pub fn plots(sheets: &[Sheet]) -> String {
+pub fn plots(sheets: &[Sheet], origin: Origin) -> String {
     let height = PANEL * sheets.len() as f64;
     let names: Vec<_> = sheets.iter().map(|sheet| escaped(&sheet.plot.name)).collect();
     let mut svg = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{WIDTH}\" height=\"{height}\" \
          viewBox=\"0 0 {WIDTH} {height}\" role=\"img\" font-family=\"Ubuntu, Helvetica, Arial, sans-serif\" \
-         font-size=\"12\" fill=\"{INK}\">\n<title>{}</title>\n\
+         font-size=\"12\" fill=\"{INK}\">\n<title>{}</title>\n<desc>{}</desc>\n\
          <rect width=\"{WIDTH}\" height=\"{height}\" fill=\"#ffffff\"/>\n",
-        names.join("; ")
+        names.join("; "),
+        escaped(&origin.line())
     );
     for (i, sheet) in sheets.iter().enumerate() {
         let _ = writeln!(svg, "<g transform=\"translate(0 {})\">", PANEL * i as f64);

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::{ExportError, exr};
+use super::{ExportError, Origin, exr};
 use crate::light::pattern::{Image, Pattern};
 
 /// Pictures get at least so many texels along their longer side, by repeating each: blending then reaches a small part of
@@ -16,7 +16,7 @@ pub(super) fn repeats(image: &Image) -> u32 {
 }
 
 /// An OpenEXR picture of a pattern, which is linear wherever it is read; bottom row first where `upside_down`.
-pub(super) fn picture(pattern: &Pattern, upside_down: bool) -> Result<Vec<u8>, ExportError> {
+pub(super) fn picture(pattern: &Pattern, upside_down: bool, origin: Origin) -> Result<Vec<u8>, ExportError> {
     let image = &pattern.image;
     let [width, height] = size_of(image);
     let repeats = repeats(image);
@@ -25,7 +25,7 @@ pub(super) fn picture(pattern: &Pattern, upside_down: bool) -> Result<Vec<u8>, E
     let row = |row: u32| if upside_down { size[1] - 1 - row } else { row };
     let texels = (0..size[1]).flat_map(|y| (0..size[0]).map(move |x| (x, y)));
     let texels: Vec<DVec3> = texels.map(|(x, y)| image.value(share(x, size[0]), share(row(y), size[1]))).collect();
-    exr::radiance(size, &texels)
+    exr::radiance(size, &texels, origin)
         .map_err(|cause| ExportError::Encode { what: format!("the pattern {}", pattern.file), cause: Box::new(cause) })
 }
 
@@ -45,7 +45,7 @@ mod tests {
         let channel = Channel::new(3, vec![0.0, 0.25, 0.5, 1.0, 3.0, 0.125]).expect("two rows of three");
         let pattern = Pattern::of_image("p.png", Image::Grey(Arc::new(channel)));
         for upside_down in [false, true] {
-            let bytes = picture(&pattern, upside_down).expect("it is encoded");
+            let bytes = picture(&pattern, upside_down, Origin { scene: "s.toml" }).expect("it is encoded");
             let read = image::load_from_memory(&bytes).expect("a picture").into_rgb32f();
             let repeats = repeats(&pattern.image);
             assert_eq!((repeats, read.width(), read.height()), (86, 258, 172), "its size");

@@ -164,21 +164,36 @@ fn pictures_and_plots_name_their_maker_and_are_the_same_twice() {
     const PLOTTED: &str = "presets/scenes/first-light.toml";
     let folder = folder();
     let maker = concat!("Softbox ", env!("CARGO_PKG_VERSION"));
+    let check_named = |name: &str, bytes: &[u8]| {
+        let held = String::from_utf8_lossy(bytes);
+        assert!(
+            held.contains(maker) && held.contains("first-light.toml"),
+            "{name} does not say who made it, and of what"
+        );
+    };
     let written = |name: &str, more: &[&str]| {
         let output = folder.path().join(name);
         check_done(&run(&[&["export", PLOTTED, "-o", shown(&output)], more].concat()));
         fs::read(&output).expect("it is written")
     };
-    for (name, more, says) in [
-        ("a.png", &["--size", "40x24"][..], Some(maker)),
-        ("a.exr", &["--size", "40x24"], None),
-        ("a.svg", &[], Some(maker)),
-        ("a.csv", &[], None),
-    ] {
+    let small = ["--size", "40x24"];
+    for (name, more) in [("a.png", &small[..]), ("a.exr", &small), ("a.svg", &[]), ("a.csv", &[])] {
         let first = written(name, more);
         assert!(first == written(name, more), "{name} differs from run to run");
-        let held = String::from_utf8_lossy(&first);
-        assert!(says.is_none_or(|maker| held.contains(maker) && held.contains("first-light.toml")), "{name}");
+        check_named(name, &first);
+    }
+    for (command, name, more) in [
+        ("render", "b.png", &small[..]),
+        ("render", "b.exr", &small),
+        ("difference", "c.png", &small),
+        ("difference", "c.exr", &small),
+        ("plot", "d.svg", &[]),
+        ("plot", "d.png", &[]),
+        ("sheet", "e.png", &small),
+    ] {
+        let output = folder.path().join(name);
+        check_done(&run(&[&[command, PLOTTED, "-o", shown(&output)], more].concat()));
+        check_named(name, &fs::read(&output).expect("it is written"));
     }
     check_refused(&["export", "presets/lights/bulb.toml", "-o", "a.svg"], "has no plots");
 }

@@ -355,6 +355,8 @@ fn a_plot_as_csv_has_the_values_of_probe() {
     check_done(&run(&["plot", PLOTTED, "--plot", &plot.name, "-o", shown(&output)]));
     let table = fs::read_to_string(&output).expect("the table is there");
     let mut lines = table.lines();
+    let maker = concat!("# Softbox ", env!("CARGO_PKG_VERSION"), ", scene first-light.toml");
+    assert_eq!(lines.next(), Some(maker), "who wrote it, and of what");
     assert_eq!(lines.next(), Some("plot,x,method,y,error,bound"), "the header");
     let rows: Vec<Vec<_>> = lines.map(|line| line.split(',').collect()).collect();
     assert!(rows.iter().all(|row| row[0] == plot.name), "only the plot asked for");
@@ -497,6 +499,7 @@ fn figures_are_pictures_charts_and_tables() {
     assert_eq!(picture.dimensions(), (32, 24), "size");
     assert!(picture.pixels().any(|pixel| pixel.0[0] > 100), "a picture of something");
     let table = fs::read_to_string(output.join("hermite-errors.csv")).expect("a table");
+    let table = table.split_once('\n').expect("a line of who wrote it").1;
     assert!(table.starts_with("sigma_deg,hermite_1,hermite_2\n") && table.lines().count() > 4, "{table}");
 }
 

@@ -129,8 +129,15 @@ fn every_target_speaks_of_every_light_and_surface_and_is_the_same_twice() {
         for thing in scene.lights.iter().map(|light| format!("light \"{}\"", light.name)) {
             assert!(exported.remarks.iter().any(|remark| remark.thing == thing), "{target} says nothing of {thing}");
         }
-        let named = |file: &export::File| String::from_utf8_lossy(&file.bytes).contains(env!("CARGO_PKG_VERSION"));
-        assert!(exported.files.first().is_none_or(named), "{target} does not name Softbox's version");
+        for (i, file) in exported.files.iter().enumerate() {
+            // Copies of the scene's own files stay as they are, and a buffer of numbers has no words.
+            let is_copy = i > 0 && (target == Target::Json || file.name.ends_with(".ies"));
+            if !is_copy && !file.name.ends_with(".bin") {
+                let held = String::from_utf8_lossy(&file.bytes);
+                let is_named = held.contains(concat!("Softbox ", env!("CARGO_PKG_VERSION"))) && held.contains("s.toml");
+                assert!(is_named, "{target}: {} does not name Softbox's version and the scene", file.name);
+            }
+        }
         assert!(exported == export(), "{target} differs from run to run");
     }
 }

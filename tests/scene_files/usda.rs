@@ -218,3 +218,35 @@ fn temperature_is_written_as_the_colour_that_it_has() {
     let back = round_trip(&scene);
     check_near(back.scene.lights[0].tint.rgb(), Tint::Color(temperature_color(2700.0)).rgb(), "its colour");
 }
+
+#[test]
+fn variants_are_a_variant_set_that_comes_back() {
+    let scene = scene::load("tests/data/evening.toml").expect("it loads");
+    let options = Options::default();
+    let target = Target::Usda;
+    let job = Job { scene: &scene, scene_name: "s.toml", stem: "s", target, lights: None, surfaces: true, options };
+    let exported = export::export(&job, &Progress::default()).expect("it is exported");
+    let stage = String::from_utf8(exported.files[0].bytes.clone()).expect("text");
+    let states =
+        [("as_shown", &scene.lights), ("evening", &scene.variants[0].lights), ("dark", &scene.variants[1].lights)];
+    for (name, lights) in states {
+        let chosen = stage.replace("lights = \"as_shown\"", &format!("lights = \"{name}\""));
+        let read = usda::read(&chosen, "s", &mut |_| Err(io::ErrorKind::NotFound.into()));
+        if lights.is_empty() {
+            assert!(matches!(read, Err(UsdaError::NoLights { .. })), "{name}: {read:?}");
+            continue;
+        }
+        let found = read.expect("it is read").scene.lights;
+        assert!(found.iter().map(|light| &light.name).eq(lights.iter().map(|light| &light.name)), "{name}: {found:?}");
+        for (found, light) in found.iter().zip(lights) {
+            assert!((found.strength() / light.strength() - 1.0).abs() < 1e-6, "{name}: {found:?}");
+        }
+    }
+    let told: Vec<_> = exported.remarks.iter().map(|remark| remark.thing.as_str()).collect();
+    assert!(told.contains(&"light \"lamp\" of variant \"evening\""), "{told:?}");
+    let one = ["sun".to_owned()];
+    let job = Job { lights: Some(&one), ..job };
+    let exported = export::export(&job, &Progress::default()).expect("it is exported");
+    let stage = String::from_utf8_lossy(&exported.files[0].bytes);
+    assert!(!stage.contains("variantSet") && stage.contains("variants are left out"), "chosen lights go alone");
+}

@@ -11,7 +11,7 @@ use anyhow::{Context, bail};
 use super::size::Size;
 use super::{Outcome, files, progress};
 use crate::analysis::chart::{Chart, Table};
-use crate::export;
+use crate::export::{self, Origin};
 use crate::render::{Progress, Settings, Shadows, render};
 use crate::scene::Scene;
 use list::{Content, FIGURES, Figure};
@@ -112,38 +112,38 @@ fn make(figure: &Figure, scenes: &[Scene], Size(size): Size, progress: &Progress
     if progress.is_cancelled() {
         return Ok(None);
     }
+    let origin = Origin { scene: figure.content.scenes().first().map_or(figure.name, |scene| scene) };
     let outputs = match figure.content {
         Content::Picture { choice, .. } => {
             let settings = Settings { size, choice, samples: SAMPLES, shadows: Shadows::default() };
             let film = scenes.first().and_then(|scene| render(scene, &settings, progress));
-            let png = film.map(|film| export::png::rgb(film.size(), film.srgb())).transpose()?;
+            let png = film.map(|film| export::png::rgb(film.size(), film.srgb(), origin)).transpose()?;
             return Ok(png.map(|png| vec![("png", png)]));
         }
-        Content::Chart(chart) => chart(progress).map(drawn).transpose()?,
-        Content::Table(table) => table(progress).map(|table| written(&table)).transpose()?,
+        Content::Chart(chart) => chart(progress).map(|chart| drawn(&chart, origin)).transpose()?,
+        Content::Table(table) => table(progress).map(|table| written(&table, origin)).transpose()?,
         Content::Lights { scenes: names, table } => {
             let names = names.iter().map(|name| name.trim_end_matches(".toml"));
             let scenes: Vec<_> = names.zip(scenes).collect();
-            table(&scenes, progress).map(|table| written(&table)).transpose()?
+            table(&scenes, progress).map(|table| written(&table, origin)).transpose()?
         }
     };
     progress.advance(STEPS);
     Ok(outputs)
 }
 
-fn drawn(chart: Chart) -> anyhow::Result<Outputs> {
-    let svg = export::svg::chart(&chart);
-    let png = export::png::from_svg(&svg, PNG_SCALE)?;
+fn drawn(chart: &Chart, origin: Origin) -> anyhow::Result<Outputs> {
+    let svg = export::svg::chart(chart, origin);
+    let png = export::png::from_svg(&svg, PNG_SCALE, origin)?;
     Ok(vec![("svg", svg.into_bytes()), ("png", png)])
 }
 
-fn written(table: &Table) -> anyhow::Result<Outputs> {
-    Ok(vec![("csv", csv(table)?)])
+fn written(table: &Table, origin: Origin) -> anyhow::Result<Outputs> {
+    Ok(vec![("csv", csv(table, origin)?)])
 }
 
-fn csv(table: &Table) -> anyhow::Result<Vec<u8>> {
-    let mut rows = csv::Writer::from_writer(Vec::new());
-    rows.write_record(&table.heading)?;
+fn csv(table: &Table, origin: Origin) -> anyhow::Result<Vec<u8>> {
+    let mut rows = export::csv::headed(&table.heading, origin)?;
     for row in &table.rows {
         rows.write_record(row)?;
     }

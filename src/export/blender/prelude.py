@@ -22,7 +22,7 @@ def link(thing, matrix, surfaces=None):
 
 def nodes_of(owner):
     """An empty node tree of a material, light or world."""
-    if bpy.app.version < (5, 0, 0):
+    if bpy.app.version < (5, 0, 0) or owner.node_tree is None:
         owner.use_nodes = True
     owner.node_tree.nodes.clear()
     return owner.node_tree
@@ -118,6 +118,27 @@ def lamp(name, kind, matrix, surfaces, power, **properties):
     for key, value in properties.items():
         setattr(light, key, value)
     link(bpy.data.objects.new(name, light), matrix, surfaces)
+    return light
+
+
+# What Cycles takes a watt for in photometric files, in lumens; a candela of theirs is 4 pi of it in a lamp's watts.
+EFFICACY = 177.83
+
+
+def web(name, matrix, surfaces, intensity, file):
+    """A point lamp with a photometric file: its intensity is the greatest, which is 1 cd in the file."""
+    power = [channel * EFFICACY for channel in intensity]
+    light = lamp(name, "POINT", matrix, surfaces, power, shadow_soft_size=0.0)
+    tree = nodes_of(light)
+    away = node(tree, "ShaderNodeTexCoord").outputs["Normal"]
+    x, y, z = node(tree, "ShaderNodeSeparateXYZ", {0: away}).outputs
+    # Blender's half-planes begin at -Y and turn the other way: ours at +X.
+    turned = {0: math_node(tree, "MULTIPLY", y, -1.0), 1: math_node(tree, "MULTIPLY", x, -1.0), 2: z}
+    vector = node(tree, "ShaderNodeCombineXYZ", turned).outputs[0]
+    path = os.path.join(FOLDER, file)
+    share = node(tree, "ShaderNodeTexIES", {"Vector": vector}, mode="EXTERNAL", filepath=path).outputs["Fac"]
+    shader = node(tree, "ShaderNodeEmission", {"Strength": share}).outputs[0]
+    node(tree, "ShaderNodeOutputLight", {"Surface": shader})
 
 
 def rectangle(name, size):

@@ -13,6 +13,7 @@ mod surfaces;
 use glam::{DMat3, DQuat, DVec3};
 use serde_json::{Map, Value, json};
 
+use super::origin::PROGRAM;
 use super::preflight::without_variants;
 use super::{ExportError, Exported, Fate, File, Job, Remark};
 use crate::render::Progress;
@@ -91,7 +92,7 @@ impl Document {
             "asset".to_owned(),
             json!({
                 "version": "2.0",
-                "generator": format!("Softbox {}", env!("CARGO_PKG_VERSION")),
+                "generator": PROGRAM,
                 "extras": {
                     "scene": job.scene_name,
                     "exposure_ev": scene.display.exposure_ev,

@@ -7,6 +7,7 @@ use super::field::Field;
 use super::luminaire::Luminaire;
 use super::web::Web;
 use super::{Job, Remark};
+use crate::export::origin::PROGRAM;
 use crate::export::preflight;
 use crate::light::Light;
 
@@ -26,12 +27,11 @@ pub(super) fn file(
     remarks: &[Remark],
 ) -> String {
     let mut text = Lines(String::new());
-    let program = format!("Softbox {}", env!("CARGO_PKG_VERSION"));
     text.line("IESNA:LM-63-2002");
-    text.keyword("TEST", &format!("computed by {program}"));
+    text.keyword("TEST", &format!("computed by {PROGRAM}"));
     text.keyword("TESTLAB", "none: computed, not measured");
     text.keyword("ISSUEDATE", "undated");
-    text.keyword("MANUFAC", &program);
+    text.keyword("MANUFAC", PROGRAM);
     let names: Vec<&str> = lights.iter().map(|light| light.name.as_str()).collect();
     text.keyword("LUMINAIRE", &names.join(", "));
     text.keyword("OTHER", &format!("scene {}", job.scene_name));

@@ -5,10 +5,11 @@ use std::fmt::Write as _;
 
 use glam::DVec3;
 
+use crate::export::Origin;
 use crate::surface::Triangle;
 
 /// The file of these triangles; corners that agree in place and normal are one vertex.
-pub(super) fn ply(triangles: &[Triangle]) -> String {
+pub(super) fn ply(triangles: &[Triangle], origin: Origin) -> String {
     let has_normals = triangles.iter().all(|triangle| triangle.normals.is_some());
     let mut known: HashMap<[u64; 6], usize> = HashMap::new();
     let (mut vertices, mut faces) = (String::new(), String::new());
@@ -28,8 +29,9 @@ pub(super) fn ply(triangles: &[Triangle]) -> String {
     }
     let normals = if has_normals { "property float nx\nproperty float ny\nproperty float nz\n" } else { "" };
     format!(
-        "ply\nformat ascii 1.0\nelement vertex {}\nproperty float x\nproperty float y\nproperty float z\n{normals}\
+        "ply\nformat ascii 1.0\ncomment {}\nelement vertex {}\nproperty float x\nproperty float y\nproperty float z\n{normals}\
          element face {}\nproperty list uchar int vertex_indices\nend_header\n{vertices}{faces}",
+        origin.line(),
         known.len(),
         triangles.len()
     )
@@ -47,13 +49,16 @@ mod tests {
     #[test]
     fn corners_are_shared() {
         let triangle = |corners| Triangle { corners, normals: None };
-        let text = ply(&[
+        let triangles = [
             triangle([DVec3::ZERO, DVec3::X, DVec3::ONE]),
             triangle([DVec3::ZERO, DVec3::ONE, DVec3::new(0.0, 1.5, 0.0)]),
-        ]);
-        let expected = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n\
+        ];
+        let origin = Origin { scene: "two.toml" };
+        let text = ply(&triangles, origin);
+        let head = format!("ply\nformat ascii 1.0\ncomment {}\n", origin.line());
+        let expected = "element vertex 4\nproperty float x\nproperty float y\nproperty float z\n\
             element face 2\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n1 1 1\n0 1.5 0\n\
             3 0 1 2\n3 0 2 3\n";
-        assert_eq!(text, expected, "two triangles of four vertices");
+        assert_eq!(text, head + expected, "two triangles of four vertices");
     }
 }

@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 
+use crate::export::Origin;
 use crate::light::luminance_of;
 
 /// A picture, and what its samples are to be multiplied by, a channel.
@@ -18,11 +19,12 @@ const LARGEST: f64 = 255.5 / 256.0;
 ///
 /// **Accuracy:** the greatest channel of a texel is off by at most 0.4 %, the mean of each channel by rounding: `gain`
 /// sees to that.
-pub(super) fn picture([columns, rows]: [u32; 2], texels: &[DVec3]) -> Picture {
+pub(super) fn picture([columns, rows]: [u32; 2], texels: &[DVec3], origin: Origin) -> Picture {
     let most = texels.iter().map(|texel| texel.max_element()).fold(0.0, f64::max);
     let scale = if most > 0.0 { LARGEST / most } else { 1.0 };
     let [wide, high] = [columns, rows].map(|count| count.max(2));
-    let mut bytes = format!("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y {high} +X {wide}\n").into_bytes();
+    let head = format!("#?RADIANCE\nSOFTWARE={}\nFORMAT=32-bit_rle_rgbe\n", origin.line());
+    let mut bytes = format!("{head}\n-Y {high} +X {wide}\n").into_bytes();
     let codes: Vec<_> = texels.iter().map(|texel| code_of(scale * *texel)).collect();
     for row in codes.chunks(columns as usize).cycle().take(high as usize) {
         bytes.extend(row.iter().cycle().take(wide as usize).flatten());
@@ -67,11 +69,13 @@ pub(super) fn seen_luminance(color: DVec3) -> f64 {
 mod tests {
     use super::*;
 
+    const ORIGIN: Origin = Origin { scene: "s.toml" };
+
     #[test]
     fn texels_come_back_within_half_a_step_and_their_mean_exactly() {
         let texel = |i: u32| DVec3::new(1.0, 0.4, 0.1) * (0.001 + f64::from(i * 37 % 101)) * 20.0;
         let texels: Vec<_> = (0..12).map(texel).collect();
-        let Picture { bytes, size, gain } = picture([4, 3], &texels);
+        let Picture { bytes, size, gain } = picture([4, 3], &texels, ORIGIN);
         assert_eq!(size, [4, 3], "size");
         let codes: Vec<[u8; 4]> = bytes[bytes.len() - 48..].chunks(4).map(|c| [c[0], c[1], c[2], c[3]]).collect();
         let found: Vec<_> = codes.into_iter().map(|code| gain * value_of(code)).collect();
@@ -84,7 +88,7 @@ mod tests {
 
     #[test]
     fn a_row_alone_is_there_twice() {
-        let Picture { bytes, size, .. } = picture([3, 1], &[DVec3::ONE, DVec3::ZERO, DVec3::ONE]);
+        let Picture { bytes, size, .. } = picture([3, 1], &[DVec3::ONE, DVec3::ZERO, DVec3::ONE], ORIGIN);
         assert_eq!(size, [3, 2], "rows of three");
         let texels = &bytes[bytes.len() - 24..];
         assert_eq!(texels[..12], texels[12..], "the same twice");

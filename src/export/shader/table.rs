@@ -2,9 +2,11 @@
 
 use std::io::Cursor;
 
+use ::exr::prelude::{Encoding, Image, Layer, SpecificChannels, Vec2, WritableImage as _};
+
 use super::constants::number;
 use super::part::{Constant, Part};
-use crate::export::{ExportError, File, Job};
+use crate::export::{ExportError, File, Job, Origin, exr};
 
 /// Numbers of a table that is written as a constant.
 const MOST_NUMBERS: usize = 256;
@@ -62,7 +64,7 @@ impl Table {
     }
 
     fn file(&self, job: &Job) -> Result<File, ExportError> {
-        let bytes = picture(&self.numbers).map_err(|cause| ExportError::Encode {
+        let bytes = picture(&self.numbers, job.origin()).map_err(|cause| ExportError::Encode {
             what: format!("the table {}", self.name),
             cause: Box::new(cause),
         })?;
@@ -92,12 +94,12 @@ impl TableFile {
 }
 
 /// Numbers one after the other as an OpenEXR picture of one channel, with zeros behind them.
-fn picture(numbers: &[f32]) -> Result<Vec<u8>, exr::error::Error> {
-    use exr::prelude::{SpecificChannels, Vec2, WritableImage as _};
+fn picture(numbers: &[f32], origin: Origin) -> Result<Vec<u8>, ::exr::error::Error> {
     let size = (WIDTH, numbers.len().div_ceil(WIDTH));
     let value = |at: Vec2<usize>| (numbers.get(at.y() * WIDTH + at.x()).copied().unwrap_or(0.0),);
     let channels = SpecificChannels::build().with_channel("R").with_pixel_fn(value);
+    let layer = Layer::new(size, exr::attributes(origin), Encoding::default(), channels);
     let mut bytes = Cursor::new(Vec::new());
-    exr::prelude::Image::from_channels(size, channels).write().non_parallel().to_buffered(&mut bytes)?;
+    Image::from_layer(layer).write().non_parallel().to_buffered(&mut bytes)?;
     Ok(bytes.into_inner())
 }

@@ -8,6 +8,7 @@ use super::{INK, escaped};
 use crate::analysis::Pen;
 use crate::analysis::axis::{Axis, Steps};
 use crate::analysis::chart::{Body, Chart, Line, Map, Panel};
+use crate::export::Origin;
 use crate::render::false_colour::sequential;
 
 /// Size of a panel.
@@ -26,7 +27,7 @@ const SCALE: f64 = 58.0;
 const ROW: f64 = 17.0;
 
 /// A chart on white.
-pub fn chart(chart: &Chart) -> String {
+pub fn chart(chart: &Chart, origin: Origin) -> String {
     let columns = chart.panels.len().clamp(1, 2);
     let rows = chart.panels.len().div_ceil(columns);
     let (width, height) = (PANEL[0] * columns as f64, TITLE + PANEL[1] * rows as f64);
@@ -34,9 +35,10 @@ pub fn chart(chart: &Chart) -> String {
     let mut svg = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
          viewBox=\"0 0 {width} {height}\" role=\"img\" font-family=\"Ubuntu, Helvetica, Arial, sans-serif\" \
-         font-size=\"12\" fill=\"{INK}\">\n<title>{title}</title>\n\
+         font-size=\"12\" fill=\"{INK}\">\n<title>{title}</title>\n<desc>{}</desc>\n\
          <rect width=\"{width}\" height=\"{height}\" fill=\"#ffffff\"/>\n\
          <text x=\"{}\" y=\"26\" font-size=\"16\">{title}</text>\n",
+        escaped(&origin.line()),
         FRAME[0]
     );
     for (i, panel) in chart.panels.iter().enumerate() {
@@ -159,8 +161,9 @@ mod tests {
 
     #[track_caller]
     fn check(panels: Vec<Panel>) -> String {
-        let svg = chart(&Chart { title: "a < b".to_owned(), panels });
-        if let Err(error) = crate::export::png::from_svg(&svg, 0.25) {
+        let origin = Origin { scene: "c" };
+        let svg = chart(&Chart { title: "a < b".to_owned(), panels }, origin);
+        if let Err(error) = crate::export::png::from_svg(&svg, 0.25, origin) {
             panic!("{error}:\n{svg}");
         }
         assert!(!svg.contains("NaN") && !svg.contains("inf") && svg.contains("a &lt; b"), "{svg}");

@@ -42,10 +42,17 @@ fn curves(y: &[f64], logarithmic_x: bool) -> Curves {
     }
 }
 
+/// What the plots are of.
+const ORIGIN: Origin = Origin { scene: "a <b>.toml" };
+
+fn drawn(sheets: &[Sheet]) -> String {
+    plots(sheets, ORIGIN)
+}
+
 /// The picture is XML, and one that draws.
 #[track_caller]
 fn check(svg: &str) {
-    if let Err(error) = crate::export::png::from_svg(svg, 0.25) {
+    if let Err(error) = crate::export::png::from_svg(svg, 0.25, ORIGIN) {
         panic!("{error}:\n{svg}");
     }
     assert!(!svg.contains("NaN") && !svg.contains("inf"), "{svg}");
@@ -54,14 +61,16 @@ fn check(svg: &str) {
 #[test]
 fn every_plot_has_a_panel_with_its_name_as_text() {
     let curves = curves(&[1.0, 3.0, 2.0], false);
-    let svg = plots(&[Sheet::new(&plot("a < b & \"c\""), curves.clone()), Sheet::new(&plot("\u{1}second"), curves)]);
+    let svg = drawn(&[Sheet::new(&plot("a < b & \"c\""), curves.clone()), Sheet::new(&plot("\u{1}second"), curves)]);
     check(&svg);
     assert!(svg.contains("a &lt; b &amp; &quot;c&quot;") && svg.contains(" second"), "{svg}");
+    let maker = format!("<desc>{}</desc>", escaped(&ORIGIN.line()));
+    assert!(maker.contains("a &lt;b&gt;.toml") && svg.contains(&maker), "who drew it, and of what: {svg}");
 }
 
 #[test]
 fn a_plot_names_its_methods_and_units() {
-    let svg = plots(&[Sheet::new(&plot("p"), curves(&[1.0, 3.0, 2.0], false))]);
+    let svg = drawn(&[Sheet::new(&plot("p"), curves(&[1.0, 3.0, 2.0], false))]);
     for expected in [">exact<", ">point<", ">reference<", "Illuminance (lx)", "Error (lx)", "Tilt (°)", ">lx<"] {
         assert!(svg.contains(expected), "no {expected} in:\n{svg}");
     }
@@ -86,7 +95,7 @@ fn odd_curves_still_draw() {
                 relative_error: choice(2),
                 logarithmic_error: choice(3),
             };
-            check(&plots(&[Sheet { look, ..Sheet::new(&plot("odd"), curves(y, choice(4))) }]));
+            check(&drawn(&[Sheet { look, ..Sheet::new(&plot("odd"), curves(y, choice(4))) }]));
         }
     }
 }
@@ -98,7 +107,7 @@ fn a_polar_plot_has_rings_rays_and_pinned_curves() {
     let pin = Pin { name: "before <it>".to_owned(), labels, x: vec![1.0, 3.0], y: vec![1.0, 2.0] };
     sheet.pins.push((1, pin));
     sheet.look.polar = true;
-    let svg = plots(&[sheet]);
+    let svg = drawn(&[sheet]);
     check(&svg);
     for expected in ["before &lt;it&gt;", "45°", "\u{2212}90°", "A", ">3<"] {
         assert!(svg.contains(expected), "no {expected} in:\n{svg}");

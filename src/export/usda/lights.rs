@@ -170,9 +170,8 @@ impl Stage<'_> {
         let attributes = [("float", "inputs:width", size.x), ("float", "inputs:height", size.y)];
         let prim = Prim::new("RectLight", luminance, &attributes);
         let mut picture = |name: &str, upside_down| -> Result<Prim, ExportError> {
-            let file = self.job.file_beside(name, "exr", texture::picture(pattern, upside_down)?);
-            let prim = prim.clone().with_texture(&file.name);
-            self.files.push(file);
+            let file = self.put(name, "exr", texture::picture(pattern, upside_down, self.job.origin())?);
+            let prim = prim.clone().with_texture(&file);
             Ok(prim)
         };
         let front = picture(name, false)?;
@@ -196,11 +195,10 @@ impl Stage<'_> {
             );
         };
         let peak = distribution.peak();
-        let file = self.job.file_beside(name, "ies", contents.0.to_vec());
+        let file = self.put(name, "ies", contents.0.to_vec());
         let mut prim = ball_prim(if peak > 0.0 { intensity / peak } else { 0.0 });
         prim.schema = Some("ShapingAPI");
-        prim.attributes.push(("asset", "inputs:shaping:ies:file", asset(&file.name)));
-        self.files.push(file);
+        prim.attributes.push(("asset", "inputs:shaping:ies:file", asset(&file)));
         let note =
             "is a ball of 1 mm radius with its photometric file; where the half-plane C = 0 lies is up to the reader";
         Form::of(prim, Some(note.to_owned()))
@@ -214,13 +212,12 @@ impl Stage<'_> {
             if cosine > 0.0 { sky.uniform + sky.cosine * cosine } else { 0.0 }
         };
         let texels: Vec<_> = (0..size[1]).flat_map(|row| vec![DVec3::splat(radiance(row)); size[0] as usize]).collect();
-        let bytes = exr::radiance(size, &texels)
+        let bytes = exr::radiance(size, &texels, self.job.origin())
             .map_err(|cause| ExportError::Encode { what: "the sky's picture".to_owned(), cause: Box::new(cause) })?;
-        let file = self.job.file_beside(name, "exr", bytes);
-        let mut prim = Prim::new("DomeLight", luminance, &[]).with_texture(&file.name);
+        let file = self.put(name, "exr", bytes);
+        let mut prim = Prim::new("DomeLight", luminance, &[]).with_texture(&file);
         prim.attributes.push(("token", "inputs:texture:format", "\"latlong\"".to_owned()));
         prim.operations.push(("xformOp:rotateX:pole".to_owned(), number(90.0)));
-        self.files.push(file);
         Ok(prim)
     }
 

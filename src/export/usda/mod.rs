@@ -22,24 +22,28 @@ const ROOT: &str = "/World";
 
 /// The stage, with textures beside it.
 pub(super) fn write(job: &Job, progress: &Progress) -> Result<Exported, ExportError> {
-    let Chosen { lights, remarks } = job.chosen_lights()?;
-    let mut stage = Stage { job, text: Text::default(), files: Vec::new(), remarks, paths: BTreeMap::new() };
-    stage.remarks.extend(without_variants(job.scene));
+    let mut stage = Stage {
+        job,
+        text: Text::default(),
+        files: Vec::new(),
+        file_names: Identifiers::default(),
+        remarks: Vec::new(),
+        paths: BTreeMap::new(),
+    };
     stage.text.open("Xform", "World", &[]);
     if job.surfaces {
         stage.materials();
         stage.surfaces();
         stage.camera(&job.scene.camera);
     }
-    stage.text.open("Scope", "Lights", &[]);
-    let mut names = Identifiers::default();
-    for light in &lights {
-        if progress.is_cancelled() {
-            return Err(ExportError::Cancelled);
-        }
-        stage.light(light, &mut names)?;
+    if job.lights.is_none() && !job.scene.variants.is_empty() {
+        stage.variants(progress)?;
+    } else {
+        stage.remarks.extend(without_variants(job.scene));
+        stage.text.open("Scope", "Lights", &[]);
+        stage.lights(job, progress)?;
+        stage.text.close();
     }
-    stage.text.close();
     stage.text.close();
     Ok(stage.finished())
 }
@@ -49,6 +53,7 @@ struct Stage<'a> {
     job: &'a Job<'a>,
     text: Text,
     files: Vec<File>,
+    file_names: Identifiers,
     remarks: Vec<Remark>,
     /// Paths of surfaces and materials, by [`Named`].
     paths: BTreeMap<Named, String>,
@@ -69,6 +74,60 @@ impl Stage<'_> {
     /// The path of a surface or material that is written.
     fn path(&self, named: &Named) -> Option<&str> {
         self.paths.get(named).map(String::as_str)
+    }
+
+    /// Puts a file beside the stage, once; gives its name.
+    fn put(&mut self, name: &str, extension: &str, bytes: Vec<u8>) -> String {
+        let same = |file: &&File| file.bytes == bytes && file.name.ends_with(extension);
+        if let Some(file) = self.files.iter().find(same) {
+            return file.name.clone();
+        }
+        let file = self.job.file_beside(&self.file_names.of(name), extension, bytes);
+        self.files.push(file.clone());
+        file.name
+    }
+
+    /// The lights of a job, which is the stage's or has the lights of a variant.
+    fn lights(&mut self, job: &Job, progress: &Progress) -> Result<(), ExportError> {
+        let Chosen { lights, remarks } = job.chosen_lights()?;
+        self.remarks.extend(remarks);
+        let mut names = Identifiers::default();
+        for light in &lights {
+            if progress.is_cancelled() {
+                return Err(ExportError::Cancelled);
+            }
+            self.light(light, &mut names)?;
+        }
+        Ok(())
+    }
+
+    /// The states of the lights as a variant set, of which the one that the scene shows is chosen.
+    fn variants(&mut self, progress: &Progress) -> Result<(), ExportError> {
+        let scene = self.job.scene;
+        let shown = scene.active_variant.as_deref().filter(|_| !scene.differs_from_variant());
+        let mut names = Identifiers::default();
+        let chosen = names.of(shown.unwrap_or("as_shown"));
+        let others = scene.variants.iter().filter(|variant| shown != Some(&variant.name));
+        let others: Vec<_> = others.map(|variant| (names.of(&variant.name), variant)).collect();
+        let what = format!("its variants are the variant set \"lights\" of {ROOT}/Lights; \"{chosen}\" is chosen");
+        self.remark(Remark::scene(Fate::Kept, what));
+        self.text.open_with_variants("Scope", "Lights", ["lights", &chosen]);
+        self.text.open_variant(&chosen);
+        self.lights(self.job, progress)?;
+        self.text.close();
+        for (name, variant) in others {
+            let start = self.remarks.len();
+            self.text.open_variant(&name);
+            let scene = Scene { lights: variant.lights.clone(), ..scene.clone() };
+            self.lights(&Job { scene: &scene, ..*self.job }, progress)?;
+            self.text.close();
+            for remark in &mut self.remarks[start..] {
+                remark.thing += &format!(" of variant {}", quoted(&variant.name));
+            }
+        }
+        self.text.close();
+        self.text.close();
+        Ok(())
     }
 
     fn materials(&mut self) {

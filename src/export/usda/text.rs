@@ -29,7 +29,21 @@ impl Text {
         self.depth += 1;
     }
 
-    /// Ends the innermost prim.
+    /// Starts a prim, and in it a variant set, by its name and which one is chosen.
+    pub(super) fn open_with_variants(&mut self, kind: &str, name: &str, [set, chosen]: [&str; 2]) {
+        let selection = format!("variants = {{ string {set} = \"{chosen}\" }}");
+        self.open(kind, name, &[selection, format!("prepend variantSets = \"{set}\"")]);
+        self.line(&format!("variantSet \"{set}\" = {{"));
+        self.depth += 1;
+    }
+
+    /// Starts a variant.
+    pub(super) fn open_variant(&mut self, name: &str) {
+        self.line(&format!("\"{name}\" {{"));
+        self.depth += 1;
+    }
+
+    /// Ends the innermost prim, variant or set.
     pub(super) fn close(&mut self) {
         self.depth -= 1;
         self.line("}");

@@ -132,7 +132,7 @@ impl Distribution {
 }
 
 /// The piece between two of increasing `angles` that an angle is in, and its share of that piece.
-fn place(angles: &[f64], angle: f64) -> (usize, f64) {
+pub(super) fn place(angles: &[f64], angle: f64) -> (usize, f64) {
     let last = angles.len().saturating_sub(2);
     let i = angles.partition_point(|at| *at <= angle).saturating_sub(1).min(last);
     match angles.get(i + 1) {
@@ -142,7 +142,7 @@ fn place(angles: &[f64], angle: f64) -> (usize, f64) {
 }
 
 /// Between a and b, both included.
-fn mixed(a: f64, b: f64, share: f64) -> f64 {
+pub(super) fn mixed(a: f64, b: f64, share: f64) -> f64 {
     (1.0 - share) * a + share * b
 }
 

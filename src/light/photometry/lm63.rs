@@ -1,14 +1,18 @@
 //! IES files: the intensities in them.
 //!
-//! Read are ANSI/IESNA LM-63 of 1986, 1991, 1995, 2002 and 2019, of photometric type C. TILT=INCLUDE is read over: the
-//! factors are for lamps whose output depends on how the luminaire hangs, which a light here does not know.
-//! Types A and B are refused, and so is `TILT=<file>`.
+//! Read are ANSI/IESNA LM-63 of 1986, 1991, 1995, 2002 and 2019. Types A and B become type C. The factors of TILT=INCLUDE
+//! are for lamps whose output depends on how the luminaire hangs: that of a luminaire that hangs level is taken, however the
+//! light is turned. `TILT=<file>` is refused.
 //!
 //! **Source:** [`crate::refs::LM_63`].
 
+mod sphere;
+
 use std::str::{FromStr, Split};
 
+use self::sphere::{Sphere, Type, TypeC};
 use super::Distribution;
+use super::distribution::{mixed, place};
 
 /// A file has at most this many intensities.
 pub const MOST_INTENSITIES: usize = 1_000_000;
@@ -35,15 +39,15 @@ pub fn read(bytes: &[u8]) -> Result<Distribution, String> {
         return Err(" has no line TILT=; save it as an IES file (LM-63)".to_owned());
     };
     let mut numbers = Numbers::new(&lines, tilt + 1);
-    match lines[tilt].trim().trim_start_matches("TILT").trim_start_matches(['=', ' ']).trim() {
-        "NONE" => {}
+    let level = match lines[tilt].trim().trim_start_matches("TILT").trim_start_matches(['=', ' ']).trim() {
+        "NONE" => 1.0,
         "INCLUDE" => read_tilt(&mut numbers)?,
         file => {
             let wrong = format!("TILT={file} names another file; write TILT=INCLUDE and its lines, or TILT=NONE");
             return Err(at_line(tilt, &wrong));
         }
-    }
-    read_table(&mut numbers, version)
+    };
+    read_table(&mut numbers, version, level)
 }
 
 /// The version by a file's first line; a file of 1986 has any.
@@ -62,17 +66,19 @@ fn at_line(line: usize, wrong: &str) -> String {
     format!(", line {}: {wrong}", line + 1)
 }
 
-/// The lamp's geometry, and pairs of an angle and a factor.
-fn read_tilt(numbers: &mut Numbers<'_>) -> Result<(), String> {
+/// The lamp's geometry, and pairs of an angle and a factor: the factor at 0.
+fn read_tilt(numbers: &mut Numbers<'_>) -> Result<f64, String> {
     numbers.next("the lamp-to-luminaire geometry")?;
     let pairs = numbers.count("the number of tilt angles", 1000)?;
-    numbers.several("tilt angles", pairs)?;
-    numbers.several("tilt factors", pairs)?;
-    Ok(())
+    let angles = numbers.angles("tilt angles", pairs)?;
+    let factors = numbers.several("tilt factors", pairs)?;
+    let (i, share) = place(&angles, 0.0);
+    let level = mixed(factors[i], factors[(i + 1).min(pairs - 1)], share);
+    (level > 0.0).then_some(level).ok_or_else(|| numbers.wrong("the tilt factor at 0 is 0"))
 }
 
-/// All that follows the tilt.
-fn read_table(numbers: &mut Numbers<'_>, version: Version) -> Result<Distribution, String> {
+/// All that follows the tilt, whose factor is `level`.
+fn read_table(numbers: &mut Numbers<'_>, version: Version, level: f64) -> Result<Distribution, String> {
     numbers.next("the number of lamps")?;
     numbers.next("the lumens of a lamp")?;
     let multiplier = numbers.factor("the candela multiplier")?;
@@ -84,13 +90,11 @@ fn read_table(numbers: &mut Numbers<'_>, version: Version) -> Result<Distributio
     if gamma_count.saturating_mul(plane_count) > MOST_INTENSITIES {
         return Err(numbers.wrong(&format!("more than {MOST_INTENSITIES} intensities; write fewer angles")));
     }
-    match numbers.count("the photometric type", 3)? {
-        1 => {}
-        kind => {
-            let name = if kind == 2 { "B" } else { "A" };
-            return Err(numbers.wrong(&format!("photometric type {name}; convert it to type C, which alone is read")));
-        }
-    }
+    let kind = match numbers.count("the photometric type", 3)? {
+        1 => None,
+        2 => Some(Type::B),
+        _ => Some(Type::A),
+    };
     for what in ["the units", "the opening's width", "the opening's length", "the opening's height"] {
         numbers.next(what)?;
     }
@@ -100,18 +104,44 @@ fn read_table(numbers: &mut Numbers<'_>, version: Version) -> Result<Distributio
         Version::Later => numbers.next("the number for future use").map(|_| 1.0)?,
     };
     numbers.next("the watts")?;
+    let factor = multiplier * ballast * photometric * level;
+    let counts = [gamma_count, plane_count];
+    let (gammas, planes, candela) = match kind {
+        None => read_type_c(numbers, counts, factor)?,
+        Some(kind) => read_sphere(numbers, counts, kind, factor)?.type_c(),
+    };
+    Distribution::of_table(&gammas, &planes, &candela).ok_or_else(|| " gives no light: all candela are 0".to_owned())
+}
+
+/// Angles γ, those of a whole turn of half-planes, and the intensities.
+fn read_type_c(
+    numbers: &mut Numbers<'_>,
+    [gamma_count, plane_count]: [usize; 2],
+    factor: f64,
+) -> Result<TypeC, String> {
     let gammas = numbers.angles("vertical angles", gamma_count)?;
     if gammas[0] < 0.0 || gammas[gamma_count - 1] > 180.0 {
         return Err(numbers.wrong("vertical angles of type C are from 0 to 180"));
     }
     let planes = numbers.angles("horizontal angles", plane_count)?;
     let round = Round::of(&planes).map_err(|wrong| numbers.wrong(&wrong))?;
-    let mut candela = numbers.several("candela", gamma_count * plane_count)?;
-    numbers.end()?;
-    let factor = multiplier * ballast * photometric;
-    candela.iter_mut().for_each(|value| *value *= factor);
+    let candela = numbers.candela(gamma_count * plane_count, factor)?;
     let (planes, candela) = round.table(&candela, gamma_count);
-    Distribution::of_table(&gammas, &planes, &candela).ok_or_else(|| " gives no light: all candela are 0".to_owned())
+    Ok((gammas, planes, candela))
+}
+
+/// A table of type A or B.
+fn read_sphere(numbers: &mut Numbers<'_>, [v, h]: [usize; 2], kind: Type, factor: f64) -> Result<Sphere, String> {
+    let mut angles = |what: &str, count: usize| {
+        let angles = numbers.angles(what, count)?;
+        let is_within = angles[0] >= -90.0 && angles[count - 1] <= 90.0;
+        match is_within && count > 1 {
+            true => Ok(angles),
+            false => Err(numbers.wrong(&format!("{what} of type {kind:?} are two or more from -90 to 90"))),
+        }
+    };
+    let (vertical, horizontal) = (angles("vertical angles", v)?, angles("horizontal angles", h)?);
+    Ok(Sphere { kind, vertical, horizontal, candela: numbers.candela(v * h, factor)? })
 }
 
 /// The planes of a whole turn, each by its place in the file.
@@ -227,6 +257,7 @@ impl<'t> Numbers<'t> {
         fits.then_some(count as usize).ok_or_else(|| self.wrong(&format!("{what} is {count}; it is from 1 to {most}")))
     }
 
+    /// Numbers of 0 or more.
     fn several(&mut self, what: &str, count: usize) -> Result<Vec<f64>, String> {
         (0..count)
             .map(|i| {
@@ -240,9 +271,17 @@ impl<'t> Numbers<'t> {
             .collect()
     }
 
+    /// The intensities times a factor, and nothing behind them.
+    fn candela(&mut self, count: usize, factor: f64) -> Result<Vec<f64>, String> {
+        let candela = self.several("candela", count)?;
+        self.end()?;
+        Ok(candela.into_iter().map(|value| factor * value).collect())
+    }
+
     /// Increasing angles, degrees.
     fn angles(&mut self, what: &str, count: usize) -> Result<Vec<f64>, String> {
-        let angles = self.several(what, count)?;
+        let angles: Vec<f64> =
+            (0..count).map(|i| self.next(&format!("{what} {} of {count}", i + 1))).collect::<Result<_, _>>()?;
         match angles.windows(2).find(|pair| pair[0] >= pair[1]) {
             Some(pair) => Err(self.wrong(&format!("{what} must increase, but {} follows {}", pair[1], pair[0]))),
             None => Ok(angles),

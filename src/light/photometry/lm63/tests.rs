@@ -75,10 +75,63 @@ fn planes_are_completed_by_the_symmetry_that_their_angles_tell() {
 }
 
 #[test]
-fn tilt_factors_are_read_over() {
-    let text = file("0", "1 2 3").replace("TILT=NONE", "TILT=INCLUDE\n1\n3\n0 45 90\n1 0.9 0.8");
-    check(&text, (0.0, 45.0), 4.0);
+fn a_tilted_lamp_has_the_factor_of_a_luminaire_that_hangs_level() {
+    let text = file("0", "1 2 3").replace("TILT=NONE", "TILT=INCLUDE\n1\n3\n0 45 90\n0.95 0.9 0.8");
+    check(&text, (0.0, 45.0), 3.8);
+    check(&text.replace("0 45 90\n0.95", "-45 45 90\n0.8"), (0.0, 45.0), 3.4);
+    refused(&text.replace("0.95 0.9", "0 0.9"), "the tilt factor at 0 is 0");
     refused(&text.replace("TILT=INCLUDE", "TILT=LAMP.TLT"), "line 3: TILT=LAMP.TLT names another file");
+}
+
+/// A file of type A or B with angles from −90 or 0, five degrees apart, whose candela are a function of V and H.
+fn sphere(kind: usize, from: i32, candela: impl Fn(f64, f64) -> f64) -> String {
+    let angles = |from: i32| (from..=90).step_by(5).map(f64::from).collect::<Vec<_>>();
+    let (vertical, horizontal) = (angles(-90), angles(from));
+    let line = |numbers: &[f64]| numbers.iter().map(f64::to_string).collect::<Vec<_>>().join(" ");
+    let rows = horizontal.iter().map(|h| line(&vertical.iter().map(|v| candela(*v, *h)).collect::<Vec<_>>()));
+    let rows: Vec<_> = rows.collect();
+    format!(
+        "IESNA:LM-63-2002\nTILT=NONE\n1 -1 1 {} {} {kind} 2 0 0 0\n1 1 0\n{}\n{}\n{}\n",
+        vertical.len(),
+        horizontal.len(),
+        line(&vertical),
+        line(&horizontal),
+        rows.join("\n")
+    )
+}
+
+#[test]
+fn types_a_and_b_become_type_c() {
+    let cosine = |v: f64, h: f64| 100.0 * (v.to_radians().cos() * h.to_radians().cos());
+    for kind in [2, 3] {
+        for from in [-90, 0] {
+            // In both, cos V cos H is the cosine from the beam.
+            let text = sphere(kind, from, cosine);
+            for (c, gamma) in [(0.0, 0.0), (0.0, 50.0), (33.0, 61.5), (212.0, 20.0), (270.0, 90.0)] {
+                let (found, expected) = (candela(&text, (c, gamma)), 100.0 * gamma.to_radians().cos());
+                assert!((found - expected).abs() < 0.3, "type {kind}: {found} cd at {c}, {gamma}, not {expected}");
+            }
+            let flux = read(text.as_bytes()).expect("a file").flux_per_peak();
+            assert!((flux / std::f64::consts::PI - 1.0).abs() < 3e-3, "{flux} sr");
+        }
+        // Right of the beam and up, +X and +Y; on these axes both types agree.
+        let text = sphere(kind, -90, |v, h| 500.0 + v + 2.0 * h);
+        for (c, gamma, expected) in
+            [(0.0, 40.0, 580.0), (180.0, 40.0, 420.0), (90.0, 40.0, 540.0), (270.0, 40.0, 460.0)]
+        {
+            check(&text, (c, gamma), expected);
+        }
+        check(&text, (0.0, 120.0), 0.0);
+    }
+    // Off the axes: type A has V as the latitude, type B has H.
+    let towards = DVec3::new(0.5, 0.6, -0.7).normalize();
+    for (kind, v, h) in [(2, 0.6_f64.atan2(0.7), towards.x.asin()), (3, towards.y.asin(), 0.5_f64.atan2(0.7))] {
+        let text = sphere(kind, -90, |v, h| 500.0 + v + 2.0 * h);
+        let distribution = read(text.as_bytes()).expect("a file");
+        let (found, expected) =
+            (distribution.peak() * distribution.share(towards), 500.0 + v.to_degrees() + 2.0 * h.to_degrees());
+        assert!((found - expected).abs() < 0.05, "type {kind}: {found} cd, not {expected}");
+    }
 }
 
 #[test]
@@ -104,8 +157,12 @@ fn a_bad_file_is_told_in_one_line_with_the_line_number() {
     refused(&good.replace("1 2 3\r\n", "1 2"), ", line 8: the file ends before candela 3 of 3");
     refused(&good.replace("1 2 3\r", "1 2 3 4\r"), ", line 8: more than the angles ask for");
     refused(&good.replace("1 2 3\r", "0 0 0\r"), "gives no light");
-    refused(&good.replace("2 3 1 1 2", "2 3 1 2 2"), ", line 4: photometric type B; convert it to type C");
-    refused(&good.replace("2 3 1 1 2", "2 3 1 3 2"), ", line 4: photometric type A; convert it to type C");
+    refused(&good.replace("2 3 1 1 2", "2 3 1 2 2"), ", line 7: horizontal angles of type B are two or more");
+    refused(
+        &good.replace("2 3 1 1 2", "2 3 1 3 2").replace("0 45 90", "0 45 95"),
+        ", line 6: vertical angles of type A",
+    );
+    refused(&good.replace("2 3 1 1 2", "2 3 1 4 2"), ", line 4: the photometric type is 4");
     refused(&good.replace("2 3 1 1 2", "2 3.5 1 1 2"), ", line 4: the number of vertical angles is 3.5");
     refused(&good.replace("2 3 1 1 2", "2 1 1 1 2"), ", line 4: there is one vertical angle");
     refused(&good.replace("2 3 1 1 2", "2 3000 3000 1 2"), ", line 4: more than 1000000 intensities");
