@@ -48,6 +48,12 @@ impl Session {
         self.edit("Replace IES file", |scene| scene.lights[index] = light);
     }
 
+    /// Let the point light of that name shine the same all around; its brightness stays.
+    pub fn remove_photometry(&mut self, name: &str) {
+        let Some(index) = self.scene().lights.iter().position(|light| light.name == name) else { return };
+        self.edit("Remove IES file", |scene| scene.lights[index].shape = Shape::Point(Point { ies: None }));
+    }
+
     /// Give a light what was painted over its pattern.
     pub fn repaint_pattern(&mut self, index: usize, image: Image, step: &str) {
         let Some(mut light) = self.scene().lights.get(index).cloned() else { return };

@@ -13,7 +13,7 @@ use super::photometry::{Distribution, Photometry};
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Point {
-    /// Its intensities: an IES file (LM-63, type C), named relative to the scene file. Nadir is −Z, its half-plane C = 0
+    /// Its intensities: an IES file (LM-63), named relative to the scene file. Nadir is −Z, its half-plane C = 0
     /// on the side of +X. The light's `intensity` is then the greatest of them.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(with = "String")]

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use egui::{Key, Modifiers};
-use softbox::light::Shape;
+use softbox::light::{Point, Shape};
 use softbox::scene;
 
 use crate::window::Window;
@@ -214,5 +214,10 @@ fn a_point_light_takes_the_candela_of_an_ies_file() {
     window.choose(Some(&path));
     window.click("Replace IES file");
     assert!(window.says("`spot.ies` has no line TILT="), "a bad file is told");
-    assert_eq!(window.steps_back(), ["Replace IES file", "Change rotation", "Add spot"], "one step each");
+    window.click("Remove IES file");
+    let lamp = &window.scene().lights[0];
+    assert!(matches!(lamp.shape, Shape::Point(Point { ies: None })), "the same all around");
+    assert!(lamp.strength() == 800.0 && !window.has("Remove IES file"), "as bright as before");
+    let steps = ["Remove IES file", "Replace IES file", "Change rotation", "Add spot"];
+    assert_eq!(window.steps_back(), steps, "one step each");
 }

@@ -6,7 +6,7 @@ use glam::Vec3;
 use image::{ImageBuffer, ImageFormat, Luma};
 use softbox::export::{Exported, Job, Options, Target, export};
 use softbox::gpu::{Context, layer_at};
-use softbox::light::Light;
+use softbox::light::{Emitter, Light};
 use softbox::render::{MethodChoice, Progress};
 use softbox::scene::{self, Scene};
 use softbox::shading::{Lobe, Method};
@@ -45,26 +45,36 @@ fn scene() -> Scene {
     scene::parse_with(SCENE, "scene.toml", read).unwrap_or_else(|error| panic!("{error}"))
 }
 
-fn exported(scene: &Scene, lights: &[String], target: Target, method: Method) -> Exported {
+pub(crate) fn exported(scene: &Scene, lights: &[String], target: Target, method: Method) -> Exported {
     let options = Options { method: MethodChoice::Method(method), ..Options::default() };
     let job =
         Job { scene, scene_name: "scene.toml", stem: "out", target, lights: Some(lights), surfaces: false, options };
     export(&job, &Progress::default()).unwrap_or_else(|error| panic!("{lights:?}, {method}: {error}"))
 }
 
+/// A point and its normal.
+pub(crate) type Point = (Vec3, Vec3);
+
 /// Points near the lights, with normals all around; the same each time.
-fn points() -> Vec<(Vec3, Vec3)> {
+fn points() -> Vec<Point> {
+    points_about(Vec3::ZERO, 1.5, 2048)
+}
+
+/// As many points within so many metres of a place.
+pub(crate) fn points_about(place: Vec3, reach: f32, count: u16) -> Vec<Point> {
     let golden = [0.819_172_5, 0.671_043_6, 0.549_700_5, 0.450_317_2, 0.368_891_3_f32];
     let unit = |i: u16, axis: usize| (f32::from(i) * golden[axis] + 0.5).fract();
     let point = |i: u16| {
-        let p = Vec3::new(3.0 * unit(i, 0) - 1.5, 3.0 * unit(i, 1) - 1.5, 2.5 * unit(i, 2) - 1.25);
+        let p = Vec3::new(unit(i, 0) - 0.5, unit(i, 1) - 0.5, 5.0 / 6.0 * (unit(i, 2) - 0.5));
         let (z, turn) = (2.0 * unit(i, 3) - 1.0, std::f32::consts::TAU * unit(i, 4));
         let across = (1.0 - z * z).sqrt();
-        (p, Vec3::new(across * turn.cos(), across * turn.sin(), z).normalize())
+        (place + 2.0 * reach * p, Vec3::new(across * turn.cos(), across * turn.sin(), z).normalize())
     };
-    (0..2048).map(point).collect()
+    // The first one is not the place itself.
+    (1..=count).map(point).collect()
 }
 
+/// An invocation calls one function only: llvmpipe gives up loops after 65,535 turns in each.
 const HARNESS: &str = "
 @group(0) @binding(0) var<storage, read> harness_points: array<vec4f>;
 @group(0) @binding(1) var<storage, read_write> harness_results: array<vec2f>;
@@ -74,20 +84,35 @@ fn harness(@builtin(global_invocation_id) id: vec3u) {
     if id.x < arrayLength(&harness_results) {
         let p = harness_points[2u * id.x].xyz;
         let n = harness_points[2u * id.x + 1u];
-        harness_results[id.x] = FUNCTION(p, n.xyz, -normalize(p), n.w);
+        let v = -normalize(p);
+        switch id.x / COUNTu {
+CASES            default: {}
+        }
     }
 }
 ";
 
-/// A function of a WGSL text over the points, seen from the origin; the textures that it reads are `exported`'s.
-fn run(exported: &Exported, wgsl: &str, function: &str, exponent: f32) -> Vec<[f32; 2]> {
+/// Functions of a WGSL text, each over its points, seen from the origin: as many points for each, in whole workgroups. The
+/// textures that they read are `exported`'s.
+pub(crate) fn run(
+    exported: &Exported,
+    wgsl: &str,
+    functions: &[(String, Vec<Point>)],
+    exponent: f32,
+) -> Vec<Vec<[f32; 2]>> {
     let Context { device, queue, .. } = &*CONTEXT;
-    let points = points();
+    let case = |(i, (name, _)): (usize, &(String, Vec<Point>))| {
+        format!("            case {i}: {{ harness_results[id.x] = {name}(p, n.xyz, v, n.w); }}\n")
+    };
+    let count = functions[0].1.len();
+    let cases: String = functions.iter().enumerate().map(case).collect();
+    let harness = HARNESS.replace("COUNT", &count.to_string()).replace("CASES", &cases);
+    let points: Vec<Point> = functions.iter().flat_map(|(_, points)| points.iter().copied()).collect();
     let numbers: Vec<[f32; 4]> =
         points.iter().flat_map(|(p, n)| [p.extend(0.0).to_array(), n.extend(exponent).to_array()]).collect();
     let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
         label: None,
-        source: wgpu::ShaderSource::Wgsl(format!("{wgsl}{}", HARNESS.replace("FUNCTION", function)).into()),
+        source: wgpu::ShaderSource::Wgsl(format!("{wgsl}{harness}").into()),
     });
     let storage = |binding, read_only| wgpu::BindGroupLayoutEntry {
         binding,
@@ -158,7 +183,8 @@ fn run(exported: &Exported, wgsl: &str, function: &str, exponent: f32) -> Vec<[f
     copy.slice(..).map_async(wgpu::MapMode::Read, |_| {});
     device.poll(wgpu::PollType::wait_indefinitely()).expect("the device works");
     let bytes = copy.slice(..).get_mapped_range().expect("it is mapped");
-    bytemuck::pod_collect_to_vec(&bytes)
+    let values: Vec<[f32; 2]> = bytemuck::pod_collect_to_vec(&bytes);
+    values.chunks(count).map(<[_]>::to_vec).collect()
 }
 
 /// A table's picture on the device.
@@ -211,20 +237,27 @@ fn wgsl_of_glsl(glsl: &str) -> String {
 
 /// How far a function's values are from the layer's.
 #[derive(Debug)]
-struct Difference {
+pub(crate) struct Difference {
     /// As shares of the value and a thousandth of the layer's peak.
-    worst: f32,
+    pub(crate) worst: f32,
     /// Numbers of which a bit differs, as a share.
     unequal: f64,
     /// Numbers that are not 0, as a share.
-    lit: f64,
+    pub(crate) lit: f64,
 }
 
-fn difference(light: &Light, method: Method, exponent: f32, values: &[[f32; 2]]) -> Difference {
+/// How far values at points are from a light's layer there.
+pub(crate) fn difference(
+    (emitter, strength): (&Emitter, f64),
+    method: Method,
+    exponent: f32,
+    points: &[Point],
+    values: &[[f32; 2]],
+) -> Difference {
     let lobe = Lobe::new(f64::from(exponent));
-    let layer = layer_at(&CONTEXT, (&light.emitter(), method), &lobe, &points()).expect("the layer comes back");
+    let layer = layer_at(&CONTEXT, (emitter, method), &lobe, points).expect("the layer comes back");
     #[expect(clippy::cast_possible_truncation, reason = "as in the file")]
-    let strength = light.strength() as f32;
+    let strength = strength as f32;
     let expected: Vec<_> = layer.iter().map(|of_unit| of_unit.map(|x| strength * x)).collect();
     let peak: [f32; 2] = [0, 1].map(|i| expected.iter().map(|x| x[i]).fold(f32::MIN_POSITIVE, f32::max));
     let mut difference = Difference { worst: 0.0, unequal: 0.0, lit: 0.0 };
@@ -265,7 +298,9 @@ fn check(scene: &Scene, light: &Light, method: Method, target: Target) {
     let text = std::str::from_utf8(&exported.files[0].bytes).expect("text");
     let wgsl = if target == Target::Glsl { wgsl_of_glsl(text) } else { text.to_owned() };
     let function = format!("softbox_{}", light.name.replace(' ', "_"));
-    let found = difference(light, method, 24.0, &run(&exported, &wgsl, &function, 24.0));
+    let points = points();
+    let values = run(&exported, &wgsl, &[(function, points.clone())], 24.0);
+    let found = difference((&light.emitter(), light.strength()), method, 24.0, &points, &values[0]);
     println!("{}, {method}, {target}: {found:?}", light.name);
     assert!(found.worst <= bound(light, method), "{}, {method}, {target}: {found:?}", light.name);
     assert!(found.lit > 0.1, "{}, {method}, {target}: the test is too dark: {found:?}", light.name);
@@ -311,7 +346,9 @@ fn a_planted_error_is_seen() {
         let wgsl = std::str::from_utf8(&exported.files[0].bytes).expect("text");
         let wrong = wgsl.replace(from, to);
         assert!(wrong != wgsl, "{name} has `{from}`");
-        let found = difference(light, Method::Exact, 24.0, &run(&exported, &wrong, &format!("softbox_{name}"), 24.0));
+        let points = points();
+        let values = run(&exported, &wrong, &[(format!("softbox_{name}"), points.clone())], 24.0);
+        let found = difference((&light.emitter(), light.strength()), Method::Exact, 24.0, &points, &values[0]);
         println!("{name}: {found:?}");
         assert!(found.worst > SAME, "{name}: {found:?}");
     }

@@ -8,6 +8,7 @@ mod agreement;
 mod cases;
 mod displays;
 mod exported;
+mod exported_presets;
 mod shadows;
 mod textured;
 mod tracking;

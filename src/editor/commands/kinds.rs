@@ -114,7 +114,7 @@ impl LightKind {
             Self::Sky => "A hemisphere of light infinitely far away: uniform, cosine or overcast",
             Self::Cap => "A round patch of the sky infinitely far away, such as the sun behind haze",
             Self::Point => "All of the light at one point",
-            Self::Measured => "A luminaire far away: a point with the candela of an IES file (LM-63, type C)",
+            Self::Measured => "A luminaire far away: a point with the candela of an IES file (LM-63)",
             Self::Directional => "Parallel light, such as a clear sun’s",
         }
     }

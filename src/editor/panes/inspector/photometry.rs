@@ -27,11 +27,18 @@ pub(super) fn row(ui: &mut Ui, fields: &mut Fields<'_>, light: &str, photometry:
             count => format!("{} planes", count - 1),
         };
         ui.weak(format!("{planes}, {} angles, {} cd", distribution.gammas().len(), three_digits(distribution.peak())));
-        let button = egui::Button::new("Replace…").min_size(vec2(62.0, 20.0));
-        let response = ui.add(button).on_hover_text("Choose another IES file; the light takes its candela");
-        if response.accessible_name("Replace IES file").clicked() {
-            fields.commands.push(Command::ReplacePhotometry(light.to_owned()));
-        }
+        ui.horizontal(|ui| {
+            let button = |label: &'static str| egui::Button::new(label).min_size(vec2(62.0, 20.0));
+            let replace =
+                ui.add(button("Replace…")).on_hover_text("Choose another IES file; the light takes its candela");
+            if replace.accessible_name("Replace IES file").clicked() {
+                fields.commands.push(Command::ReplacePhotometry(light.to_owned()));
+            }
+            let remove = ui.add(button("Remove")).on_hover_text("Shine the same all around, without an IES file");
+            if remove.accessible_name("Remove IES file").clicked() {
+                fields.session.remove_photometry(light);
+            }
+        });
     });
     ui.end_row();
 }
