@@ -46,6 +46,7 @@ fn lights() -> Vec<(&'static str, Light)> {
         ("`line`", Shape::Line(Line::isotropic(1.2))),
         ("`line`, falloff other than 2", Shape::Line(Line { falloff: 1.0, ..Line::isotropic(1.2) })),
         ("`line`, tube", Shape::Line(Line::tube(1.2, 0.013))),
+        ("`line`, tube, falloff other than 2", Shape::Line(Line { falloff: 1.0, ..Line::tube(1.2, 0.013) })),
         ("`sphere`", Shape::Sphere(Sphere { radius: 0.2 })),
         ("`cap`", Shape::Cap(Cap { half_angle_deg: 5.0 })),
         ("`sky`", Shape::Sky(Sky::OVERCAST)),
