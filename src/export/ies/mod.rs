@@ -26,7 +26,9 @@ pub(super) fn write(job: &Job, progress: &Progress) -> Result<Exported, ExportEr
     let (held, lost): (Vec<_>, Vec<_>) = lights.into_iter().partition(|light| what_is_lost(light).is_none());
     remarks.extend(lost.iter().filter_map(|light| Some(Remark::light(light, Fate::Lost, what_is_lost(light)?))));
     let Some(luminaire) = Luminaire::new(&held) else {
-        return Err(ExportError::Nothing("no light that an IES file can hold; choose one at a finite distance".into()));
+        let why = remarks.iter().rfind(|remark| remark.fate == Fate::Lost);
+        let why = why.map_or(String::new(), |Remark { thing, what, .. }| format!(": {thing} {what}"));
+        return Err(ExportError::Nothing(format!("no light that an IES file can hold{why}")));
     };
     let web = Web::of(&luminaire);
     let field = Field::of(&luminaire, &web, progress).ok_or(ExportError::Cancelled)?;
