@@ -81,7 +81,7 @@ fn a_pinned_curve_stays_while_the_scene_changes_and_leaves_with_the_export() {
     assert!(window.says("\u{2212} exact"), "values are read");
     window.harness.snapshot("plots_pinned");
 
-    for (format, start) in [("CSV…", &b"plot,x,method"[..]), ("SVG…", b"<svg"), ("PNG…", b"\x89PNG")] {
+    for (format, start) in [("CSV…", &b"# Softbox"[..]), ("SVG…", b"<svg"), ("PNG…", b"\x89PNG")] {
         let path = window.path(&format!("plot {}", &format[..3]));
         window.choose(Some(&path));
         window.click("Export plot");

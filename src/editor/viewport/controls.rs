@@ -20,16 +20,23 @@ const WIDE: [f32; 2] = [420.0, 600.0];
 /// Width of a box to choose from, points.
 const BOX: f32 = 84.0;
 
-/// Show the controls in the upper left corner of `rect`; `name` tells this viewport from the others.
-pub fn show(ui: &mut Ui, rect: Rect, session: &mut Session, overlays: &mut Overlays, display: &Display, name: &str) {
+/// Show the controls in the upper left corner of `rect`; `name` tells this viewport from the others. What they cover.
+pub fn show(
+    ui: &mut Ui,
+    rect: Rect,
+    session: &mut Session,
+    overlays: &mut Overlays,
+    display: &Display,
+    name: &str,
+) -> Rect {
     let corner = Rect::from_min_max(rect.min + vec2(8.0, 8.0), rect.max);
     let compares = session.view.mode.compares();
     let has_second = rect.width() >= WIDE[0];
     let has_exposure = rect.width() - if compares { BOX } else { 0.0 } >= WIDE[1];
-    ui.scope_builder(UiBuilder::new().max_rect(corner), |ui| {
+    let shown = ui.scope_builder(UiBuilder::new().max_rect(corner), |ui| {
         let fill = ui.visuals().panel_fill.gamma_multiply(0.85);
         let frame = Frame::NONE.fill(fill).corner_radius(4.0).inner_margin(Margin::symmetric(6, 3));
-        frame.show(ui, |ui| {
+        let shown = frame.show(ui, |ui| {
             ui.horizontal(|ui| {
                 mode(ui, session, name);
                 method(ui, session, name);
@@ -56,7 +63,9 @@ pub fn show(ui: &mut Ui, rect: Rect, session: &mut Session, overlays: &mut Overl
                 response.on_hover_text("What is drawn over the picture");
             });
         });
+        shown.response.rect
     });
+    shown.inner
 }
 
 fn mode(ui: &mut Ui, session: &mut Session, name: &str) {

@@ -77,31 +77,40 @@ impl Gauge {
     }
 
     /// Show the rectangle and its numbers in the viewport that shows the session's view; `left` is where the numbers may
-    /// begin.
-    pub fn show(&mut self, ui: &mut Ui, projection: &Projection, session: &mut Session, left: f32, name: &str) {
+    /// begin. What the numbers cover.
+    pub fn show(
+        &mut self,
+        ui: &mut Ui,
+        projection: &Projection,
+        session: &mut Session,
+        left: f32,
+        name: &str,
+    ) -> Option<Rect> {
         self.follow(ui.ctx(), session);
         let painter = ui.painter_at(projection.rect());
         paint(&session.measure.rectangle, projection, &painter);
         drag(ui, projection, session, name);
-        self.card(ui, projection.rect(), session, left, name);
+        self.card(ui, projection.rect(), session, left, name)
     }
 
     /// The numbers, in the lower left corner.
-    fn card(&self, ui: &mut Ui, rect: Rect, session: &mut Session, left: f32, name: &str) {
+    fn card(&self, ui: &mut Ui, rect: Rect, session: &mut Session, left: f32, name: &str) -> Option<Rect> {
         let room = Rect::from_min_max(pos2(rect.left() + left, rect.bottom() - 64.0), rect.max - vec2(8.0, 8.0));
         if room.width() < 120.0 || rect.height() < 130.0 {
-            return;
+            return None;
         }
         let builder = UiBuilder::new().max_rect(room).layout(Layout::bottom_up(Align::Min));
-        ui.scope_builder(builder, |ui| {
+        let shown = ui.scope_builder(builder, |ui| {
             let frame = Frame::NONE.fill(PLATE).corner_radius(4.0).inner_margin(Margin::symmetric(8, 4));
-            frame.show(ui, |ui| {
+            let shown = frame.show(ui, |ui| {
                 ui.with_layout(Layout::top_down(Align::Min), |ui| {
                     ui.visuals_mut().override_text_color = Some(Color32::from_rgb(0xe6, 0xe9, 0xec));
                     self.numbers(ui, session, name, room.width() - 20.0);
                 });
             });
+            shown.response.rect
         });
+        Some(shown.inner)
     }
 
     fn numbers(&self, ui: &mut Ui, session: &mut Session, name: &str, width: f32) {

@@ -15,7 +15,7 @@ const RAY: Vec2 = vec2(0.8, 0.6);
 /// Where the illuminance changes so many times as much as before and behind, there is an edge.
 const LEAP: f64 = 3.0;
 /// A label is at least this far from the picture's edge, points.
-const MARGIN: f32 = 24.0;
+const MARGIN: f32 = 8.0;
 /// Of a label's plate beside its text, points.
 const PADDING: Vec2 = vec2(3.0, 1.0);
 
@@ -68,26 +68,29 @@ fn brightest(survey: &Survey) -> Option<Place> {
     Some(place(column as f64, row as f64))
 }
 
-/// Write the lux of each level on its line where that is seen within `room`: where it is nearest to the ray, and no
-/// label covers another.
-pub fn paint(survey: &Survey, levels: &[f64], rect: Rect, room: Rect, painter: &Painter) {
+/// Write the lux of each level on its line, once: where it is nearest to the ray, covers nothing that is `taken`, to which
+/// it is added, and is as far from another label as that is large. A level that has no such place is left out.
+pub fn paint(survey: &Survey, levels: &[f64], rect: Rect, taken: &mut Vec<Rect>, painter: &Painter) {
     let Some(start) = brightest(survey) else { return };
     let on_screen = |place: Place| rect.min + rect.size() * place.to_vec2();
     let start = on_screen(start);
-    let mut taken: Vec<Rect> = Vec::new();
+    let mut labels: Vec<Rect> = Vec::new();
     for level in levels {
         let text = format!("{} lx", short(*level));
         let galley = painter.layout_no_wrap(text, FontId::proportional(10.5), TEXT);
         let plate = |at: Pos2| Align2::CENTER_CENTER.anchor_size(at, galley.size()).expand2(PADDING);
         let is_free = |at: &Pos2| {
             let plate = plate(*at);
-            room.shrink(MARGIN).contains(*at) && taken.iter().all(|other| !other.intersects(plate))
+            rect.shrink(MARGIN).contains_rect(plate)
+                && taken.iter().all(|other| !other.intersects(plate))
+                && labels.iter().all(|other| !other.intersects(plate.expand2(plate.size())))
         };
         let places = crossings(survey, *level).into_iter().map(on_screen).filter(is_free);
         let nearest = places.min_by(|a, b| off_ray(*a - start).total_cmp(&off_ray(*b - start)));
         if let Some(at) = nearest {
             painter.rect_filled(plate(at), 3.0, PLATE);
             taken.push(plate(at));
+            labels.push(plate(at));
             painter.galley(plate(at).min + PADDING, galley, TEXT);
         }
     }

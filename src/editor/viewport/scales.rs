@@ -77,15 +77,16 @@ pub fn auto_exposure(survey: &Survey) -> Option<f64> {
 /// Luminance that is white at exposure 0, cd/m².
 pub const WHITE: f64 = 100.0;
 
-/// The bar at the right of a viewport, below `top`; a click on it sets the scale.
-pub fn show(ui: &mut Ui, rect: Rect, session: &mut Session, display: &Display, name: &str) {
+/// The bar at the right of a viewport, where what is shown has one and there is room; a click on it sets the scale. What
+/// it covers.
+pub fn show(ui: &mut Ui, rect: Rect, session: &mut Session, display: &Display, name: &str) -> Option<Rect> {
     let room = rect.height() - 60.0;
     if room < HEIGHTS[0] + 40.0 || rect.width() < 2.5 * WIDTH {
-        return;
+        return None;
     }
     let rows = if session.view.mode == ViewMode::Bands { 84.0 } else { (room - 40.0).min(HEIGHTS[1]) + 30.0 };
     let plate = Rect::from_min_size(pos2(rect.right() - WIDTH - 8.0, rect.top() + 40.0), vec2(WIDTH, rows));
-    let Some(bar) = Bar::new(&session.view, display) else { return };
+    let bar = Bar::new(&session.view, display)?;
     let response =
         ui.interact(plate, ui.scope_id().with("scale"), Sense::click()).on_hover_text("Click to set the scale");
     response.widget_info(|| WidgetInfo::labeled(egui::Role::Button, true, format!("Scale{name}: {}", bar.told)));
@@ -97,11 +98,7 @@ pub fn show(ui: &mut Ui, rect: Rect, session: &mut Session, display: &Display, n
         ui.set_min_width(190.0);
         settings(ui, session, display);
     });
-}
-
-/// What the bar leaves free of a viewport.
-pub fn beside_bar(rect: Rect) -> Rect {
-    Rect::from_min_max(rect.min, pos2(rect.right() - WIDTH, rect.bottom()))
+    Some(plate)
 }
 
 /// The settings of what is shown: unit, end and kind of scale.

@@ -36,6 +36,8 @@ pub struct Screen {
     /// Of what the survey was made.
     surveyed: Option<([Arc<Scene>; 2], View)>,
     asked: Option<([Arc<Scene>; 2], View)>,
+    /// What controls, scale and numbers covered in the frame before.
+    covered: Vec<Rect>,
 }
 
 impl Screen {
@@ -48,6 +50,7 @@ impl Screen {
             survey: Survey::default(),
             surveyed: None,
             asked: None,
+            covered: Vec::new(),
         }
     }
 
@@ -92,14 +95,20 @@ impl Screen {
     /// The picture that there is, on neutral ground. One that was drawn for a pane of another size keeps its sides'
     /// proportion, and fills the height, as its field of view does.
     fn paint_texture(&self, ui: &Ui, rect: Rect) {
-        let painter = ui.painter_at(rect);
-        painter.rect_filled(rect, 0.0, ui.visuals().extreme_bg_color);
-        let (Some((texture, drawn)), Some((_, View { size, .. }))) = (self.picture.texture(), self.asked.as_ref())
-        else {
-            return;
-        };
         let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
-        painter.image(texture, placed(drawn, *size, rect), whole, Color32::WHITE);
+        let size = self.asked.as_ref().map(|(_, view)| view.size);
+        match (self.picture.texture(), size) {
+            (Some((texture, drawn)), Some(size)) if drawn == size => {
+                ui.painter().image(texture, rect, whole, Color32::WHITE);
+            }
+            (texture, _) => {
+                let painter = ui.painter_at(rect);
+                painter.rect_filled(rect, 0.0, ui.visuals().extreme_bg_color);
+                if let Some((texture, drawn)) = texture {
+                    painter.image(texture, placed(drawn, rect), whole, Color32::WHITE);
+                }
+            }
+        }
     }
 
     /// Find the picture's numbers where scales or the exposure follow them.
@@ -124,13 +133,12 @@ impl Screen {
     }
 
     /// The lux on the isolines; nothing while the picture is another than that of which they are known.
-    fn paint_isoline_labels(&self, rect: Rect, painter: &Painter) {
+    fn paint_isoline_labels(&self, rect: Rect, taken: &mut Vec<Rect>, painter: &Painter) {
         let (Some((scenes, now)), Some((known, then))) = (&self.asked, &self.surveyed) else { return };
         let Display::Illuminance { scale, isolines: true } = now.display else { return };
         let is_same = scenes.iter().zip(known).all(|(now, then)| Arc::ptr_eq(now, then));
         if is_same && now.camera == then.camera && now.size == then.size && now.method == then.method {
-            let room = scales::beside_bar(rect);
-            isolines::paint(&self.survey, &scale.levels(), rect, room, painter);
+            isolines::paint(&self.survey, &scale.levels(), rect, taken, painter);
         }
     }
 
@@ -150,7 +158,7 @@ impl Screen {
         if session.view.show_grid {
             self.grid.paint(projection, solids, &painter);
         }
-        self.paint_isoline_labels(projection.rect(), &painter);
+        let mut taken = self.covered.clone();
         if overlays.outlines {
             let marks = Marks {
                 selection: &session.selection,
@@ -158,8 +166,9 @@ impl Screen {
                 accent,
                 on_bright: session.view.mode.is_false_colour(),
             };
-            overlay::paint_lights(scene, &marks, solids, projection, &painter);
+            overlay::paint_lights(scene, &marks, solids, projection, &mut taken, &painter);
         }
+        self.paint_isoline_labels(projection.rect(), &mut taken, &painter);
         if let Some(count) = shown_fit(session) {
             let selected = |(i, light): (usize, _)| session.selection.contains(Item::Light(i)).then_some(light);
             for light in scene.lights.iter().enumerate().filter_map(selected) {
@@ -195,27 +204,44 @@ impl Screen {
         name: &str,
     ) {
         let rect = projection.rect();
-        if rect.width() < LEAST_FOR_CONTROLS {
-            return;
+        let mut covered = Vec::new();
+        if overlays.gnomon {
+            covered.push(Rect::from_min_size(rect.left_bottom() - vec2(0.0, GNOMON), vec2(GNOMON, GNOMON)));
         }
+        if rect.width() >= LEAST_FOR_CONTROLS {
+            self.show_settings(ui, projection, session, (overlays, &mut covered), name);
+        }
+        if self.covered != covered {
+            self.covered = covered;
+            // What lies over the picture makes room for it.
+            ui.ctx().request_repaint();
+        }
+    }
+
+    fn show_settings(
+        &mut self,
+        ui: &mut Ui,
+        projection: &Projection,
+        session: &mut Session,
+        (overlays, covered): (&mut Overlays, &mut Vec<Rect>),
+        name: &str,
+    ) {
+        let rect = projection.rect();
         let display = self.asked.as_ref().map_or(Display::Picture, |(_, view)| view.display);
         if measures(session) {
             let left = if overlays.gnomon { GNOMON } else { 8.0 };
-            self.gauge.show(ui, projection, session, left, name);
+            covered.extend(self.gauge.show(ui, projection, session, left, name));
         }
         if session.view.mode == ViewMode::Split {
             split::show(ui, rect, session, name);
         }
-        scales::show(ui, rect, session, &display, name);
-        controls::show(ui, rect, session, overlays, &display, name);
+        covered.extend(scales::show(ui, rect, session, &display, name));
+        covered.push(controls::show(ui, rect, session, overlays, &display, name));
     }
 }
 
-/// Where a picture lies that was drawn for a pane of `drawn` pixels, when the pane is `rect`, of `size` pixels.
-fn placed(drawn: [u32; 2], size: [u32; 2], rect: Rect) -> Rect {
-    if drawn == size {
-        return rect;
-    }
+/// Where a picture lies in a pane that was drawn for one of `drawn` pixels.
+fn placed(drawn: [u32; 2], rect: Rect) -> Rect {
     let [width, height] = drawn.map(|side| side as f32);
     Rect::from_center_size(rect.center(), vec2(rect.height() * width / height, rect.height()))
 }
@@ -285,10 +311,10 @@ mod tests {
     #[test]
     fn a_picture_of_another_pane_is_not_stretched() {
         let rect = Rect::from_min_size(pos2(10.0, 20.0), vec2(300.0, 400.0));
-        assert_eq!(placed([300, 400], [300, 400], rect), rect, "of this pane");
-        let wider = placed([1200, 800], [300, 400], rect);
+        assert_eq!(placed([300, 400], rect), rect, "of this pane");
+        let wider = placed([1200, 800], rect);
         assert_eq!((wider.size(), wider.center()), (vec2(600.0, 400.0), rect.center()), "cut at both sides");
-        let narrower = placed([150, 800], [300, 400], rect);
+        let narrower = placed([150, 800], rect);
         assert_eq!(narrower.size(), vec2(75.0, 400.0), "with ground at both sides");
     }
 }

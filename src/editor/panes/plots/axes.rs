@@ -1,4 +1,4 @@
-//! Which part of a plot is in sight: all of it, by axes that do not jump, until the user zooms.
+//! Which part of a plot is in sight: all of it, by axes that do not jump while it changes, until the user zooms.
 
 use egui::{PointerButton, Rect, Response, Ui};
 
@@ -6,10 +6,8 @@ use crate::analysis::axis::{Axis, Steps};
 use crate::analysis::{Look, abscissa};
 use crate::scene::Plot;
 
-/// An axis stays as it is while what is shown fills at least this share of it.
-const FULL_ENOUGH: f64 = 0.6;
-/// The same while something is dragged.
-const FULL_ENOUGH_HELD: f64 = 0.2;
+/// While what is shown changes, an axis only grows, as long as at least this share of it is filled.
+const FULL_ENOUGH: f64 = 0.2;
 /// Zoom for each point of the wheel.
 const ZOOM_PER_POINT: f32 = 0.004;
 /// The closest and the farthest that can be zoomed to, as shares of the whole axis.
@@ -57,24 +55,29 @@ impl Axes {
         abscissa(plot.kind, logarithmic, self.chosen_x.unwrap_or(plot.range), sides)
     }
 
-    /// The ordinate over `wanted`, with about `count` labels; while something is `held` it changes as little as it can.
-    pub(super) fn y(&mut self, part: Part, wanted: ([f64; 2], Steps), sides: [f64; 2], count: f64, held: bool) -> Axis {
+    /// The ordinate over `wanted`, with about `count` labels: of that alone when it is `settled`; until then it changes
+    /// as little as it can.
+    pub(super) fn y(
+        &mut self,
+        part: Part,
+        wanted: ([f64; 2], Steps),
+        sides: [f64; 2],
+        count: f64,
+        settled: bool,
+    ) -> Axis {
         let (span, steps) = wanted;
         if let Some(chosen) = self.chosen[part as usize].filter(|[low, _]| steps != Steps::Decades || *low > 0.0) {
             return Axis::new(chosen, sides, steps);
         }
         let fitted = Axis::widened(span, sides, steps, count);
-        let kept = &mut self.kept[part as usize];
-        let least = if held { FULL_ENOUGH_HELD } else { FULL_ENOUGH };
-        match kept {
-            Some((kept, of)) if *of == steps && is_filled(*kept, fitted.span, steps, least) => {
-                Axis::widened(*kept, sides, steps, count)
-            }
-            _ => {
-                *kept = Some((fitted.span, steps));
-                fitted
-            }
-        }
+        let kept = self.kept[part as usize].filter(|(_, of)| *of == steps && !settled).map(|(kept, _)| kept);
+        let both = kept.map(|kept| [kept[0].min(fitted.span[0]), kept[1].max(fitted.span[1])]);
+        let shown = match both.filter(|both| share(fitted.span, *both, steps) >= FULL_ENOUGH) {
+            Some(both) => Axis::widened(both, sides, steps, count),
+            None => fitted,
+        };
+        self.kept[part as usize] = Some((shown.span, steps));
+        shown
     }
 
     /// Pan by dragging, zoom by the wheel: along both axes, or beside the frame along the axis that is there; a
@@ -125,12 +128,10 @@ impl Axes {
     }
 }
 
-/// Whether an axis over `kept` shows all of `span`, and not much more.
-fn is_filled(kept: [f64; 2], span: [f64; 2], steps: Steps, least: f64) -> bool {
-    let [kept, span] = [kept, span].map(|ends| if steps == Steps::Decades { ends.map(f64::log10) } else { ends });
-    let length = kept[1] - kept[0];
-    let slack = 1e-9 * length;
-    kept[0] <= span[0] + slack && span[1] <= kept[1] + slack && span[1] - span[0] >= least * length
+/// What share of an axis over `whole` is over `span`.
+fn share(span: [f64; 2], whole: [f64; 2], steps: Steps) -> f64 {
+    let [span, whole] = [span, whole].map(|ends| if steps == Steps::Decades { ends.map(f64::log10) } else { ends });
+    (span[1] - span[0]) / (whole[1] - whole[0])
 }
 
 #[cfg(test)]
@@ -142,20 +143,20 @@ mod tests {
         let mut axes = Axes::default();
         let tops = spans
             .iter()
-            .map(|(span, held)| axes.y(Part::Values, (*span, Steps::Decimal), [100.0, 0.0], 5.0, *held).span[1]);
+            .map(|(span, settled)| axes.y(Part::Values, (*span, Steps::Decimal), [100.0, 0.0], 5.0, *settled).span[1]);
         assert_eq!(tops.collect::<Vec<_>>(), expected, "{spans:?}");
     }
 
     #[test]
-    fn an_axis_grows_at_once_and_shrinks_late() {
-        check(&[([0.0, 90.0], false), ([0.0, 95.0], false), ([0.0, 70.0], false)], &[100.0, 100.0, 100.0]);
-        check(&[([0.0, 90.0], false), ([0.0, 140.0], false)], &[100.0, 150.0]);
-        check(&[([0.0, 90.0], false), ([0.0, 30.0], false)], &[100.0, 30.0]);
+    fn what_is_settled_has_the_same_axis_whatever_was_there_before() {
+        check(&[([0.0, 70.0], true)], &[80.0]);
+        check(&[([0.0, 140.0], false), ([0.0, 90.0], true), ([0.0, 70.0], true)], &[150.0, 100.0, 80.0]);
     }
 
     #[test]
-    fn while_something_is_held_an_axis_only_grows_until_little_is_left_to_see() {
-        check(&[([0.0, 90.0], true), ([0.0, 30.0], true), ([0.0, 30.0], false)], &[100.0, 100.0, 30.0]);
-        check(&[([0.0, 90.0], true), ([0.0, 9.0], true)], &[100.0, 10.0]);
+    fn while_it_changes_an_axis_only_grows_until_little_is_left_to_see() {
+        let growing = [([0.0, 90.0], false), ([0.0, 30.0], false), ([0.0, 140.0], false), ([0.0, 30.0], true)];
+        check(&growing, &[100.0, 100.0, 150.0, 30.0]);
+        check(&[([0.0, 90.0], false), ([0.0, 9.0], false)], &[100.0, 10.0]);
     }
 }

@@ -24,6 +24,8 @@ pub(super) struct Chart<'a> {
     pub(super) look: Look,
     pub(super) labels: [&'a str; 2],
     pub(super) logarithmic_x: bool,
+    /// No more curves are to come.
+    pub(super) complete: bool,
 }
 
 impl Chart<'_> {
@@ -38,15 +40,15 @@ impl Chart<'_> {
             whole.split_top_bottom_at_fraction(1.0 - ERROR_SHARE)
         };
         let [values, errors] = [(upper, "Curves"), (lower, "Errors")].map(|(rect, part)| self.sense(ui, rect, part));
-        let held = ui.input(|input| input.pointer.any_down());
-        let error_axes = self.error_axes(axes, inner(lower, true), held);
+        let settled = self.complete && !ui.input(|input| input.pointer.any_down());
+        let error_axes = self.error_axes(axes, inner(lower, true), settled);
         let traces: Vec<Trace<'_>> = self.drawn.iter().map(|drawn| drawn.trace).collect();
         let wanted = self.look.value_span(&traces);
         let cursor = if is_polar {
             let range = self.plot.range;
             let edges = [upper.left(), upper.right(), upper.bottom(), upper.top()].map(f64::from);
             let (pole, radius, half) = Dial::fitted(edges, range);
-            let axis = axes.y(Part::Values, wanted, [0.0, radius], polar::RINGS, held);
+            let axis = axes.y(Part::Values, wanted, [0.0, radius], polar::RINGS, settled);
             let dial = Dial { pole, axis, half };
             let cursor = self.angle_at(&values, &dial).or_else(|| self.abscissa_at(&errors, &error_axes));
             self.draw_polar(ui, upper, &dial, cursor);
@@ -56,7 +58,7 @@ impl Chart<'_> {
             let rect = inner(upper, false);
             let [x_sides, y_sides] = sides(rect);
             let x = axes.x(self.plot, self.logarithmic_x, x_sides);
-            let y = axes.y(Part::Values, wanted, y_sides, labels(rect.height(), true), held);
+            let y = axes.y(Part::Values, wanted, y_sides, labels(rect.height(), true), settled);
             let frame = Frame { rect, x, y };
             let cursor = self.abscissa_at(&values, &frame).or_else(|| self.abscissa_at(&errors, &error_axes));
             self.draw_values(ui, &frame, upper.left(), cursor);
@@ -77,12 +79,12 @@ impl Chart<'_> {
         response
     }
 
-    fn error_axes(&self, axes: &mut Axes, rect: Rect, held: bool) -> Frame {
+    fn error_axes(&self, axes: &mut Axes, rect: Rect, settled: bool) -> Frame {
         let traces: Vec<Trace<'_>> = self.drawn.iter().map(|drawn| drawn.trace).collect();
         let [x_sides, y_sides] = sides(rect);
         let x = axes.x(self.plot, self.logarithmic_x, x_sides);
         let wanted = self.look.error_span(&traces);
-        let y = axes.y(Part::Errors, wanted, y_sides, labels(rect.height(), true), held);
+        let y = axes.y(Part::Errors, wanted, y_sides, labels(rect.height(), true), settled);
         Frame { rect, x, y }
     }
 

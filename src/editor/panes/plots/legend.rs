@@ -19,8 +19,8 @@ use crate::shading::Method;
 const FIGURES: [f32; 3] = [58.0, 54.0, 52.0];
 /// Width of a sample of a curve, points: the longest pattern of dashes fits.
 const SAMPLE: f32 = 30.0;
-/// Height of a row, points.
-const ROW: f32 = 17.0;
+/// Height of a row, points: what lies between suits the pane.
+const ROWS: [f32; 2] = [14.5, 17.0];
 /// Room for the button at the end of a row, points.
 const BUTTON: f32 = 22.0;
 
@@ -61,6 +61,10 @@ pub(super) fn show(
 ) -> Asked {
     let mut asked = Asked::default();
     ui.vertical(|ui| {
+        let count = 1 + rows.len() + state.pins.len();
+        ui.spacing_mut().interact_size.y = (ui.available_height() / count as f32).clamp(ROWS[0], ROWS[1]);
+        // That there is more is seen without pointing at it.
+        ui.spacing_mut().scroll.dormant_handle_opacity = 0.6;
         egui::ScrollArea::vertical().id_salt("legend").auto_shrink(false).show(ui, |ui| {
             ui.spacing_mut().item_spacing.y = 0.0;
             heading(ui, rows.iter().find_map(|(_, shown)| shown.map(|shown| shown.curves)), figures);
@@ -73,8 +77,13 @@ pub(super) fn show(
     asked
 }
 
+/// Height of a row: that of what one acts on.
+fn row(ui: &Ui) -> f32 {
+    ui.spacing().interact_size.y
+}
+
 fn heading(ui: &mut Ui, curves: Option<&Curves>, figures: Figures) {
-    let rect = ui.allocate_exact_size(vec2(ui.available_width(), ROW), Sense::hover()).0;
+    let rect = ui.allocate_exact_size(vec2(ui.available_width(), row(ui)), Sense::hover()).0;
     let labels = curves.map_or(["", ""], |curves| [&curves.x_label, &curves.y_label].map(|label| unit(label)));
     let in_unit = |name: &str| if labels[1].is_empty() { name.to_owned() } else { format!("{name} ({})", labels[1]) };
     let weak = |text: String| RichText::new(text).small().weak();
@@ -132,7 +141,7 @@ fn method_row(
 ) {
     let name = method.to_string();
     let visible = !state.hidden.contains(&name);
-    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), ROW), Sense::click());
+    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), row(ui)), Sense::click());
     let label = format!("Show {name}");
     response.widget_info(|| WidgetInfo::selected(Role::CheckBox, true, visible, &label));
     if response.clicked() && !state.hidden.remove(&name) {
@@ -179,7 +188,7 @@ fn pins(ui: &mut Ui, present: Option<&Curves>, figures: Figures, state: &mut Plo
     }
     let mut removed = None;
     for (i, pinned) in state.pins.iter_mut().enumerate() {
-        let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), ROW), Sense::hover());
+        let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), row(ui)), Sense::hover());
         let fits = present.filter(|curves| pinned.pin.fits(curves));
         let texts = fits.map_or_else(Default::default, |curves| pin_figures(&pinned.pin, curves, figures));
         highlight(ui, rect, &response);
@@ -212,7 +221,7 @@ fn pin_row(ui: &mut Ui, number: usize, pinned: &mut Pinned, fits: bool, texts: [
     let hint = if fits { "Click to rename" } else { "This plot has other axes than the pinned curve" };
     let hint = format!("{}\n{hint}", pinned.pin.name);
     let name = egui::TextEdit::singleline(&mut pinned.pin.name).frame(egui::Frame::NONE);
-    let edit = ui.add_sized(vec2(width, ROW - 2.0), name).on_hover_text(hint);
+    let edit = ui.add_sized(vec2(width, row(ui) - 2.0), name).on_hover_text(hint);
     edit.accessible_name(format!("Name of pin {number}"));
     let mut removed = false;
     columns(ui, texts.map(|text| RichText::new(text).monospace()), |ui| {
@@ -246,7 +255,7 @@ fn cells(ui: &mut Ui, rect: Rect, contents: impl FnOnce(&mut Ui)) {
 /// A cell of a column of figures.
 fn cell(ui: &mut Ui, width: f32, text: RichText) {
     let layout = Layout::right_to_left(egui::Align::Center);
-    ui.allocate_ui_with_layout(vec2(width, ROW), layout, |ui| {
+    ui.allocate_ui_with_layout(vec2(width, row(ui)), layout, |ui| {
         ui.set_min_width(width);
         plain(ui, text);
     });

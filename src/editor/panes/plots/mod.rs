@@ -90,7 +90,14 @@ impl Plots {
                 ui.set_min_size(size);
                 let Some(of) = rows.iter().find_map(|(_, shown)| shown.map(|shown| shown.curves)) else { return };
                 let labels = [of.x_label.as_str(), of.y_label.as_str()];
-                let chart = Chart { plot, drawn: &drawn, look, labels, logarithmic_x: of.logarithmic_x };
+                let chart = Chart {
+                    plot,
+                    drawn: &drawn,
+                    look,
+                    labels,
+                    logarithmic_x: of.logarithmic_x,
+                    complete: self.worker.is_complete(),
+                };
                 let (cursor, hint) = chart.show(ui, &mut self.axes);
                 session.plots.cursor = cursor;
                 if let Some(hint) = hint {

@@ -146,6 +146,14 @@ impl Worker {
         }
     }
 
+    /// Whether all curves of the present state are there.
+    pub(super) fn is_complete(&self) -> bool {
+        let asked = self.asked.as_ref();
+        self.latest.as_ref().is_some_and(|latest| {
+            latest.is_last && asked.is_some_and(|asked| latest.subject.is(&asked.scene, &asked.plot))
+        })
+    }
+
     /// Whether nothing new has come for long.
     fn is_behind(&self) -> bool {
         self.moved.is_none_or(|moved| moved.elapsed() > BEHIND)

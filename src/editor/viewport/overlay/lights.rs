@@ -1,6 +1,6 @@
 //! Outlines, symbols, directions and names of lights.
 
-use egui::{Color32, Painter, Pos2, Stroke, vec2};
+use egui::{Color32, Painter, Pos2, Rect, Stroke, vec2};
 use glam::DVec3;
 
 use super::{TEXT, label_beside, line};
@@ -39,8 +39,8 @@ struct Name<'a> {
     text: &'a str,
     at: Pos2,
     color: Color32,
-    /// Names of what is selected or hovered have the best places.
-    first: bool,
+    /// Names of what is hovered have the best places, then of what is selected.
+    rank: u8,
 }
 
 /// What is marked among the lights, and how.
@@ -59,9 +59,16 @@ pub struct Marks<'a> {
 /// Draw every light: selected ones in the accent, the hovered one a little stronger; from the middle of flat ones an arrow
 /// to the lit side.
 ///
-/// Names are given to what is selected or hovered, and to all lights when there are few. They lie beside each other where
-/// they can.
-pub fn paint_lights(scene: &Scene, marks: &Marks<'_>, solids: &Solids, projection: &Projection, painter: &Painter) {
+/// Names are given to what is selected or hovered, and to all lights when there are few. They cover neither each other nor
+/// what is `taken`, to which they are added; those that there is no room for are left out.
+pub fn paint_lights(
+    scene: &Scene,
+    marks: &Marks<'_>,
+    solids: &Solids,
+    projection: &Projection,
+    taken: &mut Vec<Rect>,
+    painter: &Painter,
+) {
     let Marks { selection, accent, on_bright, .. } = *marks;
     let few = scene.lights.len() <= 8;
     let mut names = Vec::new();
@@ -76,16 +83,19 @@ pub fn paint_lights(scene: &Scene, marks: &Marks<'_>, solids: &Solids, projectio
             (false, false) => Stroke::new(1.0, color.gamma_multiply(0.6)),
         };
         let anchor = Painted { solids, projection, painter, on_bright }.light(light, &Look { stroke, selected });
-        let first = selected || hovered;
-        if let Some(at) = anchor.filter(|at| (few || first) && painter.clip_rect().contains(*at)) {
+        let rank = match (hovered, selected) {
+            (true, _) => 0,
+            (false, true) => 1,
+            (false, false) => 2,
+        };
+        if let Some(at) = anchor.filter(|at| (few || rank < 2) && painter.clip_rect().contains(*at)) {
             let color = if selected { color } else { TEXT.gamma_multiply(if light.muted { 0.5 } else { 0.85 }) };
-            names.push(Name { text: &light.name, at, color, first });
+            names.push(Name { text: &light.name, at, color, rank });
         }
     }
-    names.sort_by_key(|name| !name.first);
-    let mut taken = Vec::new();
+    names.sort_by_key(|name| name.rank);
     for name in names {
-        label_beside(name.text, name.at, name.color, &mut taken, painter);
+        label_beside(name.text, name.at, name.color, taken, painter);
     }
 }
 

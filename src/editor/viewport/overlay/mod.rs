@@ -49,7 +49,7 @@ pub fn paint_box(corners: &[DVec3], color: Color32, solids: &Solids, projection:
 }
 
 /// Small text on a dark plate above `pos`, or beside or below it where that would cover one of `taken`, to which it is
-/// added. Where there is no room at all it is above.
+/// added. Where there is no room at all it is left out.
 fn label_beside(text: &str, pos: Pos2, color: Color32, taken: &mut Vec<Rect>, painter: &Painter) {
     let galley = painter.layout_no_wrap(text.to_owned(), FontId::proportional(11.0), color);
     let places = [
@@ -64,7 +64,7 @@ fn label_beside(text: &str, pos: Pos2, color: Color32, taken: &mut Vec<Rect>, pa
     let is_free = |rect: &Rect| {
         painter.clip_rect().contains_rect(*rect) && taken.iter().all(|other: &Rect| !other.intersects(*rect))
     };
-    let plate = rects.into_iter().find(is_free).unwrap_or(rects[0]);
+    let Some(plate) = rects.into_iter().find(is_free) else { return };
     painter.rect_filled(plate, 3.0, Color32::from_black_alpha(150));
     painter.galley(plate.min + PADDING, galley, color);
     taken.push(plate);
