@@ -9,6 +9,7 @@ use egui::accesskit::Role;
 use egui::{Key, Modifiers, PointerButton, Pos2, vec2};
 use egui_kittest::kittest::Queryable;
 use egui_kittest::{Harness, Node, SnapshotOptions};
+use egui_material_icons::icons::ICON_CHECK_CIRCLE;
 use image::RgbaImage;
 use softbox::editor::app::App;
 use softbox::editor::dialogs::{Reply, Scripted};
@@ -288,10 +289,22 @@ impl Window {
         self.harness.remove_cursor();
         self.harness.state_mut().session.view.refines = true;
         self.settle();
+        self.outwait_messages();
         let mut picture = self.harness.render().expect("the window is drawn");
         self.take_times_from(&format!("tests/snapshots/{name}.png"), &mut picture);
         egui_kittest::image_snapshot_options(&picture, name, &options());
         self.harness.state_mut().session.view.refines = false;
+    }
+
+    /// Wait until messages that something worked are gone: how long they are still shown depends on the machine.
+    fn outwait_messages(&mut self) {
+        let start = Instant::now();
+        while self.has_any(ICON_CHECK_CIRCLE.codepoint) {
+            assert!(start.elapsed() < PATIENCE, "a message stays");
+            std::thread::sleep(Duration::from_millis(50));
+            self.harness.step();
+        }
+        self.settle();
     }
 
     /// Take the measured times from the stored picture, so that they are the same; not when it is to be renewed.

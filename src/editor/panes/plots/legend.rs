@@ -23,6 +23,8 @@ const SAMPLE: f32 = 30.0;
 const ROWS: [f32; 2] = [14.5, 17.0];
 /// Room for the button at the end of a row, points.
 const BUTTON: f32 = 22.0;
+/// Room for a method's name, points; the longest reach into what short figures leave of the first column.
+const NAME: f32 = 72.0;
 
 /// What the legend was asked for.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -104,12 +106,21 @@ fn heading(ui: &mut Ui, curves: Option<&Curves>, figures: Figures) {
     });
 }
 
+/// The columns of figures that a row has room for beside a name: all of them, or the first.
+fn columns_in(ui: &Ui) -> &'static [f32] {
+    let space = ui.spacing().item_spacing.x;
+    let room = ui.max_rect().width() - SAMPLE - NAME - BUTTON - 2.0 * space;
+    let fits = |count: &usize| FIGURES[..*count].iter().map(|width| width + space).sum::<f32>() <= room;
+    &FIGURES[..(1..=FIGURES.len()).rev().find(fits).unwrap_or(1)]
+}
+
 /// Figures in their columns, and `last` at the end of the row.
 fn columns(ui: &mut Ui, texts: [RichText; 3], last: impl FnOnce(&mut Ui)) {
+    let widths = columns_in(ui);
     ui.with_layout(Layout::right_to_left(egui::Align::Center), |ui| {
         last(ui);
-        for (text, width) in texts.into_iter().zip(FIGURES).rev() {
-            cell(ui, width, text);
+        for (width, text) in widths.iter().zip(texts).rev() {
+            cell(ui, *width, text);
         }
     });
 }
@@ -217,7 +228,8 @@ fn pin_row(ui: &mut Ui, number: usize, pinned: &mut Pinned, fits: bool, texts: [
     if shown.on_hover_text("Show or hide this pinned curve").clicked() {
         pinned.hidden ^= true;
     }
-    let width = ui.available_width() - FIGURES.iter().sum::<f32>() - BUTTON - 4.0 * ui.spacing().item_spacing.x;
+    let figures = columns_in(ui).iter().map(|width| width + ui.spacing().item_spacing.x).sum::<f32>();
+    let width = ui.available_width() - figures - BUTTON - ui.spacing().item_spacing.x;
     let hint = if fits { "Click to rename" } else { "This plot has other axes than the pinned curve" };
     let hint = format!("{}\n{hint}", pinned.pin.name);
     let name = egui::TextEdit::singleline(&mut pinned.pin.name).frame(egui::Frame::NONE);
