@@ -12,7 +12,7 @@ const WIDTH: f32 = 1280.0;
 /// The view does not become narrower than this while the panes beside it can, points.
 const LEAST_VIEW: f32 = 320.0;
 
-/// See the [module](self).
+/// The arrangement of the panes.
 #[derive(Debug, serde::Serialize, serde::Deserialize)]
 pub struct Layout {
     tree: Tree<Pane>,
