@@ -1,6 +1,7 @@
 //! Exported shader functions against the layers of the preview.
 
 use std::io::Cursor;
+use std::ops::Range;
 
 use glam::Vec3;
 use image::{ImageBuffer, ImageFormat, Luma};
@@ -57,11 +58,11 @@ pub(crate) type Point = (Vec3, Vec3);
 
 /// Points near the lights, with normals all around; the same each time.
 fn points() -> Vec<Point> {
-    points_about(Vec3::ZERO, 1.5, 2048)
+    points_about(Vec3::ZERO, 1.5, 0..2048)
 }
 
-/// As many points within so many metres of a place.
-pub(crate) fn points_about(place: Vec3, reach: f32, count: u16) -> Vec<Point> {
+/// Points of those numbers within so many metres of a place, which is itself number 0.
+pub(crate) fn points_about(place: Vec3, reach: f32, numbers: Range<u16>) -> Vec<Point> {
     let golden = [0.819_172_5, 0.671_043_6, 0.549_700_5, 0.450_317_2, 0.368_891_3_f32];
     let unit = |i: u16, axis: usize| (f32::from(i) * golden[axis] + 0.5).fract();
     let point = |i: u16| {
@@ -70,8 +71,7 @@ pub(crate) fn points_about(place: Vec3, reach: f32, count: u16) -> Vec<Point> {
         let across = (1.0 - z * z).sqrt();
         (place + 2.0 * reach * p, Vec3::new(across * turn.cos(), across * turn.sin(), z).normalize())
     };
-    // The first one is not the place itself.
-    (1..=count).map(point).collect()
+    numbers.map(point).collect()
 }
 
 /// An invocation calls one function only: llvmpipe gives up loops after 65,535 turns in each.

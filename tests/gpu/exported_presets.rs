@@ -28,7 +28,7 @@ fn points(light: &Light) -> Vec<Point> {
         Shape::Textured(_) => (light.position - 3.0 * light.world_from_light().matrix3.z_axis, 2.0),
         _ => (light.position, 3.0),
     };
-    points_about(place.as_vec3(), reach, POINTS)
+    points_about(place.as_vec3(), reach, 1..POINTS + 1)
 }
 
 /// How far a function may be from its layer: see `exported::bound` for why.
