@@ -2,12 +2,12 @@
 
 use std::path::Path;
 
-use egui::{Key, Modifiers, PointerButton, Pos2, vec2};
+use egui::{Key, Modifiers, Pos2, vec2};
 use softbox::light::Shape;
 use softbox::light::pattern::Pattern;
 use softbox::scene::{self, Scene};
 
-use crate::window::Window;
+use crate::window::{Window, primary_button};
 
 /// A floor, and nothing that shines yet.
 const FLOOR: &str = r#"format = 1
@@ -67,15 +67,9 @@ fn a_stroke_is_seen_in_the_light_while_it_is_painted_then_undone_saved_and_opene
     window.enter("Paint value", "0");
     window.enter("Paint size", "60");
     let (press, to) = (at(&window, 0.25, 0.5), at(&window, 0.75, 0.5));
-    let button = |pos, pressed| egui::Event::PointerButton {
-        pos,
-        button: PointerButton::Primary,
-        pressed,
-        modifiers: Modifiers::NONE,
-    };
     window.harness.hover_at(press);
     window.harness.step();
-    window.harness.event(button(press, true));
+    window.harness.event(primary_button(press, true));
     window.harness.step();
     window.harness.hover_at(to);
     window.harness.step();
@@ -83,7 +77,7 @@ fn a_stroke_is_seen_in_the_light_while_it_is_painted_then_undone_saved_and_opene
     let live = pattern(&shown).image.channels()[0].mean();
     assert!(live < 0.95 * mean(&window)[0], "the light dims with the brush: {live}");
     assert_eq!(pattern(&window.scene()), &start, "the document waits for the release");
-    window.harness.event(button(to, false));
+    window.harness.event(primary_button(to, false));
     window.settle();
     let painted = mean(&window)[0];
     assert!((painted - live).abs() < 1e-4, "{painted} after {live}");
@@ -96,11 +90,11 @@ fn a_stroke_is_seen_in_the_light_while_it_is_painted_then_undone_saved_and_opene
 
     // A stroke that is cancelled leaves nothing.
     window.harness.hover_at(press);
-    window.harness.event(button(press, true));
+    window.harness.event(primary_button(press, true));
     window.harness.step();
     window.harness.key_press(Key::Escape);
     window.harness.step();
-    window.harness.event(button(press, false));
+    window.harness.event(primary_button(press, false));
     window.settle();
     assert!((mean(&window)[0] - painted).abs() < 1e-15, "cancelled");
 
@@ -120,19 +114,18 @@ fn a_stroke_is_kept_where_a_menu_is_opened_in_the_same_frame() {
     window.enter("Paint value", "0");
     let (from, to) = (at(&window, 0.25, 0.5), at(&window, 0.75, 0.5));
     let menu = window.get("Presets pattern").rect().center();
-    let button = |pos, pressed| egui::Event::PointerButton {
-        pos,
-        button: PointerButton::Primary,
-        pressed,
-        modifiers: Modifiers::NONE,
-    };
     window.harness.hover_at(from);
     window.harness.step();
-    window.harness.event(button(from, true));
+    window.harness.event(primary_button(from, true));
     window.harness.step();
     window.harness.hover_at(to);
     window.harness.step();
-    let at_once = [button(to, false), egui::Event::PointerMoved(menu), button(menu, true), button(menu, false)];
+    let at_once = [
+        primary_button(to, false),
+        egui::Event::PointerMoved(menu),
+        primary_button(menu, true),
+        primary_button(menu, false),
+    ];
     window.harness.input_mut().events.extend(at_once);
     window.harness.step();
     window.settle();

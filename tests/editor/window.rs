@@ -76,6 +76,11 @@ pub(crate) struct Window {
     _device: Device,
 }
 
+/// The primary button is pressed, or let go.
+pub(crate) fn primary_button(pos: Pos2, pressed: bool) -> egui::Event {
+    egui::Event::PointerButton { pos, button: PointerButton::Primary, pressed, modifiers: Modifiers::NONE }
+}
+
 impl Window {
     /// A window as it opens without a file.
     pub(crate) fn new() -> Self {
@@ -273,8 +278,7 @@ impl Window {
     }
 
     fn button(&mut self, pos: Pos2, pressed: bool) {
-        let modifiers = Modifiers::NONE;
-        self.harness.event(egui::Event::PointerButton { pos, button: PointerButton::Primary, pressed, modifiers });
+        self.harness.event(primary_button(pos, pressed));
         self.harness.step();
     }
 
